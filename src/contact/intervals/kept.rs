@@ -9,22 +9,31 @@ use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
 use crate::contact::problem::support::longest;
 
+/// How far the ends of a list may be from where they were, in half-lengths, for equations to be kept. Half or twice as far: solutions take as long.
+const NEAR: f64 = 0.02;
+
 /// The equations of a list of intervals, with their factors.
 pub(super) struct Kept {
     system: System,
     factors: Factors,
-    /// Terms of each interval.
+    /// The list, and terms of each interval.
+    support: Intervals,
     counts: Vec<usize>,
 }
 
 impl Kept {
     /// The equations of a list, and their solution; `None` if there is none in double precision.
-    pub(super) fn new(equations: &Equations, counts: &[usize]) -> Option<(Self, Solved)> {
+    pub(super) fn new(equations: &Equations, support: &Intervals, counts: &[usize]) -> Option<(Self, Solved)> {
         let places = equations.places();
         let system = equations.system(&places)?;
         let factors = system.factorised()?;
         let solved = equations.solved(&places, &factors.solve(&system.right)?, counts);
-        Some((Self { system, factors, counts: counts.to_vec() }, solved))
+        Some((Self { system, factors, support: support.clone(), counts: counts.to_vec() }, solved))
+    }
+
+    /// Whether they correct pressures on another list of the same kind.
+    pub(super) fn is_near(&self, support: &Intervals) -> bool {
+        longest(self.support.steps_to(support)) < NEAR
     }
 
     /// Whether the equations of another list have the same kinds of unknowns, with as many terms at least.

@@ -1,7 +1,7 @@
 //! The ends of all intervals at which no pressure is singular.
 use std::rc::Rc;
 
-use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
+use crate::contact::ends::newton::Work;
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::derivatives::Derivatives;
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
@@ -12,7 +12,6 @@ use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{MINOR, SLOW};
 use crate::contact::problem::iteration::Progress;
-use crate::contact::problem::support::longest;
 use crate::numeric::largest;
 
 /// Most of the way to the next interval that an end goes in one step.
@@ -149,7 +148,7 @@ pub(super) fn converge(
         };
         let steps = newton.steps(&equations, &support, &looks, perturbed).ok_or_else(stuck)?;
         let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
-        newton.take(&next, (support, solved));
+        newton.take((support, solved));
         (support, laid_out) = (next, Some((layout, about)));
     }
 }
@@ -167,8 +166,6 @@ struct Newton<'a> {
     was_own: bool,
     /// The list before, with its solution.
     last: Option<(Intervals, Solved)>,
-    /// Whether ends have moved so little that kept equations do.
-    is_near: bool,
     /// The longest of the steps of ends that are to be taken, and what these and changes of terms leave.
     farthest: f64,
     left: f64,
@@ -186,7 +183,6 @@ impl<'a> Newton<'a> {
             is_own: false,
             was_own: false,
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
-            is_near: true,
             farthest: 0.0,
             left: f64::INFINITY,
             progress: Progress::default(),
@@ -203,7 +199,9 @@ impl<'a> Newton<'a> {
         work: &mut Work,
     ) -> Option<(Solved, Vec<Look>)> {
         self.was_own = std::mem::take(&mut self.is_own);
-        if let (Some(equations_kept), Some((before, solved)), true) = (self.kept.clone(), &self.last, self.is_near) {
+        if let (Some(equations_kept), Some((before, solved))) =
+            (self.kept.clone().filter(|kept| kept.is_near(support)), &self.last)
+        {
             let mut expected = solved.on(before, support).regular(support);
             let mut changed = f64::INFINITY;
             loop {
@@ -223,7 +221,7 @@ impl<'a> Newton<'a> {
             }
         }
         work.operations.spend(anew)?;
-        let (kept, solved) = Kept::new(equations, self.counts)?;
+        let (kept, solved) = Kept::new(equations, support, self.counts)?;
         (self.kept, self.is_own) = (Some(Rc::new(kept)), true);
         let looks = self.look(support, &solved, 0.0);
         Some((solved, looks))
@@ -294,7 +292,7 @@ impl<'a> Newton<'a> {
             let (is_own, kept, counts) = (&mut self.is_own, &mut self.kept, self.counts);
             self.derivatives.improve(support, &q, &mut steps, |[outwards, inwards]| {
                 if !*is_own {
-                    (*kept, *is_own) = (Some(Rc::new(Kept::new(equations, counts)?.0)), true);
+                    (*kept, *is_own) = (Some(Rc::new(Kept::new(equations, support, counts)?.0)), true);
                 }
                 let kept = kept.as_ref()?;
                 Some([perturbed(kept, outwards)?, perturbed(kept, inwards)?])
@@ -305,8 +303,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Takes note of the next list.
-    fn take(&mut self, next: &Intervals, (support, solved): (Intervals, Solved)) {
-        self.is_near = longest(support.steps_to(next)) < LAYOUT_SERVES;
+    fn take(&mut self, (support, solved): (Intervals, Solved)) {
         self.last = Some((support, solved));
     }
 }

@@ -185,13 +185,13 @@ fn kept_equations_correct_pressures() {
         let lengths = Lengths::of(&problem, &before, counts, 1e-13);
         let layout = Layout::of_intervals(&kernel, &lengths, 1e-13, 0.0).unwrap();
         let equations = Equations::new(&problem, &layout, &before, counts);
-        let (kept, solved) = Kept::new(&equations, counts).unwrap();
+        let (kept, solved) = Kept::new(&equations, &before, counts).unwrap();
         let (_, change) = kept.corrected(&equations, &solved, counts).unwrap();
         assert!(change < 1e-11, "{before:?}: {change:e}");
         let after = before.moved(&vec![1e-4; before.ends().len()]);
         let equations = Equations::new(&problem, &layout, &after, counts);
         let (corrected, _) = kept.corrected(&equations, &solved.on(&before, &after), counts).unwrap();
-        let (_, expected) = Kept::new(&equations, counts).unwrap();
+        let (_, expected) = Kept::new(&equations, &after, counts).unwrap();
         let terms = |solved: &Solved| solved.pressures.iter().flat_map(|own| own.terms.clone()).collect::<Vec<f64>>();
         let expected = terms(&expected);
         let off = terms(&corrected).iter().zip(&expected).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
