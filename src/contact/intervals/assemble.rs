@@ -164,7 +164,7 @@ impl Equations<'_> {
 
     /// Adds what half-planes and short waves do, and the slope of the punch.
     fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) -> Option<()> {
-        let InSpace { matrix, load, .. } = self.in_space(contact, None)?;
+        let (matrix, load) = (self.in_space(contact, None)?.matrix, self.load(contact));
         let block = Block { all: &matrix, first: [0; 2], factor: self.layout.own[contact].limit };
         self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
         for Places { terms, left, .. } in &places[self.chain(contact)] {
@@ -175,13 +175,12 @@ impl Equations<'_> {
         Some(())
     }
 
-    /// What half-planes, in units of the limit of the kernel, and short waves do to the tests of a contact, and the slope of the punch: each column, or
-    /// all of them with some amplitudes. `None` if short waves take too many wavenumbers.
+    /// What half-planes, in units of the limit of the kernel, and short waves do to the tests of a contact: each column, or all of them with some amplitudes. `None` if short waves take too many wavenumbers.
     pub(super) fn in_space<'a>(&self, contact: usize, amplitudes: Option<&'a [f64]>) -> Option<InSpace<'a>> {
         let (columns, own) = (&self.columns[contact], &self.layout.own[contact]);
         let per_limit = own.exponentials.0.iter().map(|[b, c]| [*b, c / own.limit]);
         let exponentials: Vec<[f64; 2]> = per_limit.collect();
-        let mut space = columns.in_space(&self.problem.sides[contact], &exponentials, amplitudes);
+        let mut space = columns.in_space(&exponentials, amplitudes);
         columns.add_short_waves(&mut space, self.short_waves(contact)?, own.limit);
         columns.subtract(&mut space);
         Some(space)

@@ -35,9 +35,10 @@ pub(super) struct Equations<'a> {
     pub(super) free: Vec<usize>,
     /// The contacts and groups of intervals at which bodies turn against each other.
     pub(super) turning: Vec<(usize, usize)>,
-    /// Columns at the first wavenumbers, and at short waves for each contact, as far as they have been asked for.
+    /// Columns at the first wavenumbers, and of each contact columns at short waves and what tests see of punches, as far as they have been asked for.
     blocks: RefCell<Vec<Rc<Sampled>>>,
     short_waves: Vec<OnceCell<Option<Vec<ShortWaves>>>>,
+    loads: Vec<OnceCell<Vec<f64>>>,
 }
 
 /// The columns of all contacts at some wavenumbers.
@@ -119,8 +120,9 @@ impl<'a> Equations<'a> {
             turning.map(move |(group, _)| (contact, group))
         };
         let turning = (0..problem.contacts()).flat_map(of).collect();
-        let short_waves = columns.iter().map(|_| OnceCell::new()).collect();
-        Self { problem, layout, columns, linked, moves, free, turning, blocks: RefCell::default(), short_waves }
+        let (short_waves, loads) = columns.iter().map(|_| (OnceCell::new(), OnceCell::new())).unzip();
+        let blocks = RefCell::default();
+        Self { problem, layout, columns, linked, moves, free, turning, blocks, short_waves, loads }
     }
 
     /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.
@@ -258,6 +260,11 @@ impl<'a> Equations<'a> {
     pub(super) fn short_waves(&self, contact: usize) -> Option<&[ShortWaves]> {
         let made = || self.columns[contact].short_waves(self.problem.kernel, self.layout, contact);
         self.short_waves[contact].get_or_init(made).as_deref()
+    }
+
+    /// What the tests of a contact see of the slope of the punch.
+    pub(super) fn load(&self, contact: usize) -> &[f64] {
+        self.loads[contact].get_or_init(|| self.columns[contact].load(&self.problem.sides[contact]))
     }
 
     /// The real part of exp(iζx) alone, or the imaginary one as well.

@@ -19,12 +19,11 @@ const NEAREST: f64 = 1e-3;
 /// Powers below this are less than rounding of what the first terms do.
 const SMALLEST: f64 = 1e-18;
 
-/// What columns do to tests, in space, and what these see of a gap with a slope of its own.
+/// What columns do to tests, in space.
 pub(super) struct InSpace<'a> {
     /// Rows: tests as the terms are ordered, then the others; columns: terms, then ends, or one for what all of them do with some amplitudes.
     pub(super) matrix: Mat<f64>,
     pub(super) amplitudes: Option<&'a [f64]>,
-    pub(super) load: Vec<f64>,
 }
 
 impl InSpace<'_> {
@@ -38,20 +37,13 @@ impl InSpace<'_> {
 }
 
 impl Columns<'_> {
-    /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests, and the
-    /// tests of the profile of a punch, if one presses.
-    pub(super) fn in_space<'a>(
-        &self,
-        side: &Side,
-        exponentials: &[[f64; 2]],
-        amplitudes: Option<&'a [f64]>,
-    ) -> InSpace<'a> {
+    /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests.
+    pub(super) fn in_space<'a>(&self, exponentials: &[[f64; 2]], amplitudes: Option<&'a [f64]>) -> InSpace<'a> {
         let (terms, ends, others) = (self.terms(), self.ends(), self.others());
         let columns = if amplitudes.is_some() { 1 } else { terms + ends };
-        let (matrix, load) = (Mat::zeros(self.rows(), columns), vec![0.0; self.rows()]);
-        let mut space = InSpace { matrix, amplitudes, load };
+        let mut space = InSpace { matrix: Mat::zeros(self.rows(), columns), amplitudes };
         for number in 0..self.intervals.len() {
-            self.add_of_interval(&mut space, side, exponentials, number);
+            self.add_of_interval(&mut space, exponentials, number);
         }
         for (row, other) in (terms + ends..).zip(&others) {
             let Other::Closing(number) = *other else { continue };
@@ -63,14 +55,36 @@ impl Columns<'_> {
             let tests = Mat::from_fn(1, nodes.len(), |_, q| factor * nodes[q].1 * nodes[q].0.sin());
             let tested = &tests * self.slopes_at(&places, None, exponentials, amplitudes);
             (0..columns).for_each(|column| space.matrix[(row, column)] = tested[(0, column)]);
-            let height = |x: f64| side.height_under(self.intervals[number].punch, x);
-            space.load[row] = factor / half * (height(to) - height(from));
         }
         space
     }
 
+    /// What tests see of the slope of the punch, if one presses: less what only the first ones of a group keep.
+    pub(super) fn load(&self, side: &Side) -> Vec<f64> {
+        let mut load = vec![0.0; self.rows()];
+        for (number, interval) in self.intervals.iter().enumerate() {
+            let (row, count) = (self.first(number), self.counts[number]);
+            let mut tests = self::tests(side, interval, count).into_iter();
+            if let Some(mean) = self.place(Other::Mean(number)) {
+                load[mean] = interval.test(0) * tests.next().unwrap_or(0.0);
+            }
+            for (m, test) in tests.enumerate().take(count) {
+                load[row + m] = interval.test(m) * test;
+            }
+            if let Some(row) = self.place(Other::Closing(number)) {
+                let [from, to] = self.gap(number);
+                let height = |x: f64| side.height_under(interval.punch, x);
+                load[row] = 8.0 / (PI * (to - from).powi(2)) * (height(to) - height(from));
+            }
+        }
+        for Subtracted { into, from, part } in self.subtracted_tests() {
+            load[*into] -= part * load[*from];
+        }
+        load
+    }
+
     /// The same of the tests on one interval.
-    fn add_of_interval(&self, space: &mut InSpace, side: &Side, exponentials: &[[f64; 2]], number: usize) {
+    fn add_of_interval(&self, space: &mut InSpace, exponentials: &[[f64; 2]], number: usize) {
         let (interval, row, count) = (&self.intervals[number], self.first(number), self.counts[number]);
         let mean = self.place(Other::Mean(number));
         if self.intervals.len() > 1 || interval.parity == Parity::Pair {
@@ -89,13 +103,6 @@ impl Columns<'_> {
                 (0..tested.ncols()).for_each(|column| space.matrix[(*row, column)] = tested[(m, column)]);
             }
         }
-        let mut tests = self::tests(side, interval, count).into_iter();
-        if let Some(mean) = mean {
-            space.load[mean] = interval.test(0) * tests.next().unwrap_or(0.0);
-        }
-        for (m, test) in tests.enumerate().take(count) {
-            space.load[row + m] = interval.test(m) * test;
-        }
         for m in 0..count {
             space.add(row + m, row + m, interval.on_half_plane(m));
         }
@@ -108,18 +115,21 @@ impl Columns<'_> {
     }
 
     /// Subtracts from the columns and tests as they are what only the first ones of a group keep.
-    pub(super) fn subtract(&self, InSpace { matrix, amplitudes, load }: &mut InSpace) {
-        let (terms, ends) = (self.terms(), self.ends());
-        let subtracted = &self.subtracted;
-        let columns = |one: &&Subtracted| amplitudes.is_none() && one.into < terms + ends;
-        for Subtracted { into, from, part } in subtracted.iter().filter(columns) {
-            (0..load.len()).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);
+    pub(super) fn subtract(&self, InSpace { matrix, amplitudes }: &mut InSpace) {
+        let last = self.terms() + self.ends();
+        let columns = |one: &&Subtracted| amplitudes.is_none() && one.into < last;
+        for Subtracted { into, from, part } in self.subtracted.iter().filter(columns) {
+            (0..matrix.nrows()).for_each(|row| matrix[(row, *into)] -= part * matrix[(row, *from)]);
         }
-        let tests = |one: &&Subtracted| !(terms..terms + ends).contains(&one.into);
-        for Subtracted { into, from, part } in subtracted.iter().filter(tests) {
+        for Subtracted { into, from, part } in self.subtracted_tests() {
             (0..matrix.ncols()).for_each(|column| matrix[(*into, column)] -= part * matrix[(*from, column)]);
-            load[*into] -= part * load[*from];
         }
+    }
+
+    /// What is subtracted from tests: singular pressures are none.
+    fn subtracted_tests(&self) -> impl Iterator<Item = &Subtracted> {
+        let ends = self.terms()..self.terms() + self.ends();
+        self.subtracted.iter().filter(move |one| !ends.contains(&one.into))
     }
 
     /// Quadrature points on an interval for the slopes that the others make there: these are singular at the ends of the others only, so that their Chebyshev

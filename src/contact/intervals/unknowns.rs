@@ -2,7 +2,6 @@
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::equations::{Equations, Places, Solved, Told};
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::intervals::system::{Rows, Unknowns};
 use crate::numeric::dot;
@@ -114,8 +113,8 @@ impl Equations<'_> {
         let (columns, limit) = (&self.columns[contact], self.layout.own[contact].limit);
         let mut as_they_are = amplitudes.to_vec();
         columns.as_they_are(&mut as_they_are);
-        let InSpace { matrix, load, .. } = self.in_space(contact, Some(&as_they_are))?;
-        let pressed = load.iter().zip(matrix.col_as_slice(0));
+        let matrix = self.in_space(contact, Some(&as_they_are))?.matrix;
+        let pressed = self.load(contact).iter().zip(matrix.col_as_slice(0));
         rows.iter_mut().zip(pressed).for_each(|(row, (load, pressed))| *row += load - limit * pressed);
         for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
             let Some(group) = columns.tells_rotation_of(other) else { continue };
