@@ -1,10 +1,12 @@
 //! How the intensities of the singular pressures at all ends change as ends move.
 //!
 //! Next to the answer all intensities vanish, each one depends on its own end only, and the pressure there tells how: these are the steps as long as they lead
-//! on. Farther away, where a thin layer or a neighbour's end bends pressures near an end, derivatives are found from differences.
+//! on. Farther away, where a thin layer or a neighbour's end bends pressures near an end, derivatives are found from differences: by ends of which the pressure
+//! tells nothing, and by all where steps lead nowhere.
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
+use crate::contact::intervals::pressure;
 use crate::contact::intervals::support::{End, Intervals};
 use crate::contact::problem::accuracy::SLOW;
 use crate::contact::problem::support::longest;
@@ -22,8 +24,8 @@ const SHORTEST: f64 = 0.1;
 /// What is known of how intensities change, and how far each end may move.
 #[derive(Default)]
 pub(super) struct Derivatives {
-    /// Derivatives of intensities by steps outwards, in half-lengths, if steps have led nowhere without.
-    matrix: Option<Mat<f64>>,
+    /// Derivatives of intensities by steps outwards, in half-lengths, and by which ends these are known.
+    matrix: Option<(Mat<f64>, Vec<bool>)>,
     /// The largest intensity at all steps so far.
     largest: Vec<f64>,
     /// The last step of each end, and how far it may move, in half-lengths.
@@ -32,8 +34,8 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    /// Newton's steps in place of others, where intensities, 0 where an end stays where it is, have not fallen to half at the last step. An end whose intensity hardly falls as that end moves outwards, or
-    /// rises, goes the way its sign tells. No end moves farther than it may, and the others take the steps that go with that. `None` if there are no such steps.
+    /// Newton's steps in place of others: of all ends where intensities, 0 where an end stays where it is, have not fallen to half at the last step, else of ends that the pressure sends as far
+    /// outwards as it may. An end whose intensity hardly falls as that end moves outwards, or rises, goes the way its sign tells. No end moves farther than it may, and the others take the steps that go with that. `None` if there are no such steps.
     pub(super) fn improve(
         &mut self,
         support: &Intervals,
@@ -42,17 +44,18 @@ impl Derivatives {
         perturbed: impl FnMut(&[Intervals; 2]) -> Option<[Vec<f64>; 2]>,
     ) -> Option<()> {
         self.largest.push(longest(q.iter().copied()));
-        if let [.., before, last] = self.largest[..]
-            && last > SLOW * before
-        {
-            self.matrix = Some(differences(support, q, perturbed)?);
-        }
         let size = q.len();
+        let is_slow = matches!(self.largest[..], [.., before, last] if last > SLOW * before);
+        let wanted: Vec<bool> =
+            (0..size).map(|end| q[end] != 0.0 && (is_slow || steps[end] >= pressure::FARTHEST)).collect();
+        if wanted.contains(&true) {
+            self.matrix = Some((differences(support, &wanted, q, perturbed)?, wanted));
+        }
         let mut matrix = Mat::identity(size, size);
         let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
         let mut allowed = vec![LONGEST; size];
-        if let Some(own) = &self.matrix {
-            for row in (0..size).filter(|row| q[*row] != 0.0) {
+        if let Some((own, known)) = &self.matrix {
+            for row in (0..size).filter(|row| known[*row] && q[*row] != 0.0) {
                 if LONGEST * -own[(row, row)] > q[row].abs() {
                     right[(row, 0)] = -q[row];
                     (0..size).for_each(|column| matrix[(row, column)] = own[(row, column)]);
@@ -89,14 +92,15 @@ impl Derivatives {
     }
 }
 
-/// Derivatives of intensities by ends, from a small step of each end that moves to both sides.
+/// Derivatives of intensities by some ends, from a small step of each of these to both sides.
 fn differences(
     support: &Intervals,
+    wanted: &[bool],
     q: &[f64],
     mut perturbed: impl FnMut(&[Intervals; 2]) -> Option<[Vec<f64>; 2]>,
 ) -> Option<Mat<f64>> {
     let mut matrix = Mat::zeros(q.len(), q.len());
-    for (column, end) in support.ends().into_iter().enumerate().filter(|(column, _)| q[*column] != 0.0) {
+    for (column, end) in support.ends().into_iter().enumerate().filter(|(column, _)| wanted[*column]) {
         let half = support.0[end.interval].half;
         let by = (DIFFERENCE * half).min(0.5 * support.gap(end).abs());
         let moved = [by, -by].map(|by| {

@@ -11,7 +11,7 @@ use crate::solution::{Strip, tip_coefficient};
 /// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
 const TENSION: f64 = 0.13;
 /// The longest steps of an end outwards and inwards, in half-lengths.
-const FARTHEST: f64 = 0.3;
+pub(super) const FARTHEST: f64 = 0.3;
 const MOST_IN: f64 = 0.9;
 
 /// Amplitudes y_j of terms, and q of singular pressures at the ends that are no mirror images, and what a sharp tip makes, whose terms do not fall.
