@@ -11,6 +11,7 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::abel;
 use crate::contact::problem::accuracy::{COARSE, PLACES, SAFETY};
 use crate::contact::problem::twin::Twin;
+use crate::contact::quality::admissible::{Recontact, recontact};
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
@@ -23,6 +24,10 @@ pub(super) struct Signs {
     pub(super) min_gap: f64,
     /// The tension of each contact about x = 0 for want of terms, as a part of its largest pressure there.
     pub(super) tensions: Vec<f64>,
+    /// How far from the ends of each interval pressures are hardly larger than the tension elsewhere, in half-lengths.
+    pub(super) ends: Vec<[f64; 2]>,
+    /// Intervals with next to no force that are left out.
+    pub(super) recontacts: Vec<Recontact>,
 }
 
 /// Where a pressure or a gap is negative.
@@ -35,12 +40,13 @@ pub(super) enum Fault {
     Unknown,
 }
 
-/// Checks the Signorini conditions on a solution with an error, relative; one with fewer terms tells how far gaps are known.
-pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Result<Signs, Fault> {
-    let (min_pressure, tensions) = pressures(problem, level)?;
+/// Checks the Signorini conditions on a solution with an error, relative; one with fewer terms tells how far gaps are known. Where all is even, penetration that next to
+/// no force would remove may be left.
+pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves_out: bool) -> Result<Signs, Fault> {
+    let Tension { min_pressure, tensions, ends } = pressures(problem, level)?;
     // less than an answer is wrong by counts as zero
     let zero = COARSE.max(error);
-    let mut min_gap = 0.0f64;
+    let (mut min_gap, mut recontacts) = (0.0f64, Vec::new());
     let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
     lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
     lengths.exponentials.iter_mut().for_each(Vec::clear);
@@ -61,8 +67,15 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
             let before =
                 self::gaps(problem, &coarse, &layout, &self::waves(problem, &coarse, &layout), contact, &beside);
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
-            let penetrates = |gap: f64| gap < -(zero * widest + SAFETY * known);
+            let allowed = zero * widest + SAFETY * known;
+            let penetrates = |gap: f64| gap < -allowed;
             if penetrates(least.1) {
+                let recontact = recontact(problem.kernel, contact, &lengths.ends, &gaps, allowed);
+                if let Some(recontact) = recontact.filter(|own| leaves_out && problem.is_even() && own.moment <= COARSE)
+                {
+                    recontacts.push(recontact);
+                    continue;
+                }
                 let mut all: Vec<f64> = gaps.iter().filter(|(_, gap)| penetrates(*gap)).map(|(x, _)| *x).collect();
                 all.sort_by(f64::total_cmp);
                 let over = [all[0], all[all.len() - 1]];
@@ -70,15 +83,22 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
             }
         }
     }
-    Ok(Signs { min_pressure, min_gap, tensions })
+    Ok(Signs { min_pressure, min_gap, tensions, ends, recontacts })
 }
 
-/// The smallest pressure, and the tension of each contact about x = 0 as a part of its largest pressure there.
-fn pressures(problem: &Problem, level: &Approximation) -> Result<(f64, Vec<f64>), Fault> {
+/// See [`Signs`].
+struct Tension {
+    min_pressure: f64,
+    tensions: Vec<f64>,
+    ends: Vec<[f64; 2]>,
+}
+
+/// Looks for tension in all intervals.
+fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault> {
     let count = problem.contacts();
     let [mut means, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
     // about the middle, where pressures are said to be right to a part of what they are there
-    let mut tensions = vec![0.0f64; count];
+    let (mut tensions, mut ends) = (vec![0.0f64; count], Vec::new());
     for (interval, pressure) in level.support.0.iter().zip(&level.solved.pressures) {
         let inside = pressure.regular(interval).inside(interval, pressure.places(interval));
         let extremes = |(least, most): (f64, f64), p: &f64| (least.min(*p), most.max(*p));
@@ -89,13 +109,33 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<(f64, Vec<f64>)
         if interval.is_even() {
             tensions[contact] = -least / most;
         }
+        ends.push(unseen(interval, &inside, -SAFETY * least));
     }
     // more tension than that belongs to another root, however badly its ends are known: where intervals that ought to be apart meet, the
     // ends of the gap between them are no better known than that it is short
     if smallest.iter().zip(&means).any(|(least, mean)| *least < -COARSE * mean) {
         return Err(Fault::Tension);
     }
-    Ok((smallest.into_iter().fold(0.0, f64::min), tensions))
+    Ok(Tension { min_pressure: smallest.into_iter().fold(0.0, f64::min), tensions, ends })
+}
+
+/// How far from the left and the right end pressures, from the right end inwards, are no larger than so much, in half-lengths; nothing at corners, or where
+/// bodies do not pull.
+fn unseen(interval: &ContactInterval, inside: &[f64], least: f64) -> [f64; 2] {
+    let places = if interval.is_even() { 2 * inside.len() } else { inside.len() + 1 };
+    let of = |first: Option<usize>| match first {
+        Some(0) => 0.0,
+        Some(first) => 1.0 - (PI * (first + 1) as f64 / places as f64).cos(),
+        None => 1.0,
+    };
+    let [left, right] = interval.corners;
+    let from_left = || of(inside.iter().rev().position(|p| *p > least));
+    let from_right = || of(inside.iter().position(|p| *p > least));
+    let is_known = |corner: bool| corner || least <= 0.0;
+    [
+        if is_known(left || interval.is_even()) { 0.0 } else { from_left() },
+        if is_known(right) { 0.0 } else { from_right() },
+    ]
 }
 
 /// From the ends of intervals to the next ones, and to the middle of what is even, or as far as gaps are looked at, with the number of the punch.

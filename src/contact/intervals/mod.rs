@@ -4,6 +4,7 @@ mod assemble;
 mod columns;
 mod derivatives;
 mod equations;
+mod errors;
 mod gaps;
 mod kept;
 mod local;
@@ -30,11 +31,12 @@ use crate::contact::problem::iteration::Operations;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
 use crate::contact::programme::ActiveIntervals;
+use crate::contact::quality::answer;
 use crate::contact::quality::estimates::UNKNOWN;
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
-use gaps::Signs;
+use errors::Errors;
 use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
 pub(super) use support::Intervals;
@@ -46,11 +48,6 @@ const FINEST: usize = 768;
 /// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
-/// Changes from level to level are said to fall at least this fast, and at most.
-const MOST_FALL: f64 = 0.5;
-const LEAST_FALL: f64 = 0.01;
-const LEAST_FALL_GRADED: f64 = 0.1;
-
 /// An interval to begin with, in units of L.
 pub(crate) struct Expected {
     pub(crate) contact: usize,
@@ -120,8 +117,8 @@ fn resolved(problem: &Problem, interval: &ContactInterval, finer: usize) -> usiz
     (count as usize).clamp(finer * COARSEST, finer * 4 * COARSEST).min(FINEST / 2)
 }
 
-/// Goes on from a first solution with more and more terms; `None` if that is no admissible answer.
-fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<Answer> {
+/// Goes on from a first solution with more and more terms; `None` if that is no admissible answer, though intervals that carry next to nothing may be left out.
+fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut Work) -> Option<Answer> {
     let mut counts = grown(&first, &Errors::of(&first), problem.tolerance);
     first.support.equalise(&mut counts);
     let (mut before, mut stalls) = (first, false);
@@ -165,11 +162,10 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         );
         warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
     }
-    let Signs { min_pressure, min_gap, tensions } = gaps::check(problem, &level, errors.worst()).ok()?;
-    // pressures in tension are wrong by that
-    for (interval, error) in level.support.0.iter().zip(&mut errors.pressures) {
-        *error = error.max(SAFETY * tensions[interval.contact]);
-    }
+    let signs = gaps::check(problem, &level, errors.worst(), leaves_out).ok()?;
+    errors.admit(&level, &signs);
+    warnings.extend(signs.recontacts.iter().map(|recontact| answer::recontact(problem, recontact)));
+    warnings.extend(problem.unknown().filter_map(|contact| errors.unknown_end(problem, &level.support, contact)));
     let terms = |contact| {
         (0..level.counts.len()).filter(|k| level.support.0[*k].contact == contact).map(|k| level.counts[k]).max()
     };
@@ -179,6 +175,7 @@ fn refine(problem: &Problem, first: Approximation, work: &mut Work) -> Option<An
         ..problem.kernel.stats()
     };
     let contacts = found(problem, &level, &errors);
+    let (min_pressure, min_gap) = (signs.min_pressure, signs.min_gap);
     Some(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 
@@ -268,68 +265,6 @@ fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligibl
         return 0.0;
     }
     (kernel.remainder(i, end) / kernel.asymptote(i).limit).abs() / end
-}
-
-/// How well ends and pressures are known, from what fewer terms tell of them.
-struct Errors {
-    /// Of the ends of each interval, relative.
-    ends: Vec<[f64; 2]>,
-    /// Of the pressure in the middle of each interval, relative to the largest of these of the contact.
-    pressures: Vec<f64>,
-    /// The most that is due to something else than the number of terms.
-    floor: f64,
-    /// How much less half as many terms more change than those before.
-    fall: f64,
-}
-
-impl Errors {
-    /// Estimates them from what the last third of the terms changes, and how much less that is than what the third before changes.
-    fn of(level: &Approximation) -> Self {
-        let all = &level.support.0;
-        let moves = level.moves();
-        let [own, some, few] = [&level.solved.pressures, &level.coarser[0], &level.coarser[1]]
-            .map(|pressures| level.middle_pressures(pressures));
-        let size = |number: usize| level.largest_pressure(all[number].contact, &own);
-        let differ = |number: usize| {
-            [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())
-        };
-        let changes: Vec<[f64; 2]> = (0..all.len()).map(differ).collect();
-        // next to graded faces changes fall like a power
-        let least = if level.graded.contains(&true) { LEAST_FALL_GRADED } else { LEAST_FALL };
-        let fall = |changes: &[[f64; 2]]| {
-            let [last, before] = [0, 1].map(|k| largest(changes.iter().map(|change| change[k].abs())));
-            if last > 0.0 { (last / before).clamp(least, MOST_FALL) } else { least }
-        };
-        let falls = [fall(&moves), fall(&changes)];
-        let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
-        // short waves are felt where an interval is short
-        let rest = |interval: &ContactInterval| {
-            level.left + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half
-        };
-        let rests: Vec<f64> = all.iter().map(rest).collect();
-        // steps go on with more terms
-        let steps = if level.is_rounding { 0.0 } else { level.left };
-        let mut next = moves.iter();
-        let ends = |(interval, rest): (&ContactInterval, &f64)| {
-            let mut errors = [*rest; 2];
-            for side in interval.sides() {
-                let k = usize::from(*side > 0.0);
-                let moved = next.next().map_or(0.0, |[moved, _]| moved.abs() * interval.half / interval.sizes()[k]);
-                errors[k] += of_ends * moved;
-            }
-            errors
-        };
-        Self {
-            ends: all.iter().zip(&rests).map(ends).collect(),
-            pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
-            floor: largest(rests.iter().copied()) - steps,
-            fall: falls[0].max(falls[1]),
-        }
-    }
-
-    fn worst(&self) -> f64 {
-        largest(self.ends.iter().flatten().chain(&self.pressures).copied())
-    }
 }
 
 impl Approximation {

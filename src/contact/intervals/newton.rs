@@ -72,6 +72,16 @@ impl Approximation {
         };
         (0..own.len()).map(of).collect()
     }
+
+    /// By how much farther out pressures would put the ends of each interval, in half-lengths, on which next to nothing depends; nothing for others.
+    pub(super) fn unknown(&self) -> Vec<[f64; 2]> {
+        let looks = looks(&self.support, &self.solved.pressures);
+        let mut unknown = vec![[0.0; 2]; self.support.0.len()];
+        for (end, look) in self.support.ends().into_iter().zip(looks).filter(|(_, look)| look.is_weak(look.step)) {
+            unknown[end.interval][usize::from(end.side > 0.0)] = look.step.abs();
+        }
+        unknown
+    }
 }
 
 /// Why ends do not converge.

@@ -2,7 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::contact::intervals::support::ContactInterval;
-use crate::contact::problem::accuracy::{MINOR, PER_MODE};
+use crate::contact::problem::accuracy::{COARSE, MINOR, PER_MODE};
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::estimates::AVERAGED;
@@ -151,6 +151,12 @@ impl Pressure {
                 _ => 0.0,
             };
         if q > 0.0 {
+            // beyond where bodies pull they have parted: an end out there may follow pressures next to nothing to anywhere
+            let is_long = kappa <= 0.0 || q > MINOR * kappa;
+            let parted = is_long.then(|| self.zero(interval, side, COARSE * self.mean(interval))).flatten();
+            if let Some(distance) = parted {
+                return -distance.min(MOST_IN);
+            }
             return if kappa > 0.0 { ((1.0 + 2.0 * q / kappa).sqrt() - 1.0).min(FARTHEST) } else { FARTHEST };
         }
         let newton = if kappa > 0.0 { q / kappa } else { f64::NEG_INFINITY };
@@ -158,23 +164,24 @@ impl Pressure {
         if newton > -MINOR {
             return newton;
         }
-        let places = self.places(interval);
-        let distance = self.zero(interval, side, places).unwrap_or_else(|| match newton.is_finite() {
+        let distance = self.zero(interval, side, 0.0).unwrap_or_else(|| match newton.is_finite() {
             true => -0.5 * newton,
-            false => 1.0 - (0.5 * PI / places as f64).cos(),
+            false => 1.0 - (0.5 * PI / self.places(interval) as f64).cos(),
         });
         if distance > TENSION || kappa <= 0.0 { -distance.min(MOST_IN) } else { newton.max(-2.2 * distance) }
     }
 
-    /// How far from an end the pressure is negative, seen from its largest value, in half-lengths.
-    fn zero(&self, interval: &ContactInterval, side: f64, places: usize) -> Option<f64> {
+    /// How far from an end bodies pull by more than `least`, seen from the largest pressure, in half-lengths.
+    fn zero(&self, interval: &ContactInterval, side: f64, least: f64) -> Option<f64> {
+        let places = self.places(interval);
         let angle = |k: f64| PI * (k + 0.5) / places as f64;
         let phi = |k: f64| if side > 0.0 { angle(k) } else { PI - angle(k) };
         let last = if interval.is_even() { places / 2 } else { places - 1 };
         let strip = self.strip(interval);
         let all: Vec<f64> = (0..=last).map(|k| strip.pressure(interval.place(phi(k as f64)))).collect();
         let largest = (0..=last).max_by(|a, b| all[*a].total_cmp(&all[*b]))?;
-        let zero = all[..largest].iter().rposition(|p| *p < 0.0)?;
+        let last = all[..largest].iter().rposition(|p| *p < -least)?;
+        let zero = (last..largest).take_while(|k| all[*k] < 0.0).last()?;
         let part = all[zero] / (all[zero] - all[zero + 1]);
         Some(1.0 - angle(zero as f64 + part).cos())
     }

@@ -10,6 +10,7 @@ use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::intervals::{refine, resolved};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
+use crate::contact::problem::twin::Twin;
 
 /// Changes of the list at most.
 const MOST_CHANGES: usize = 30;
@@ -40,9 +41,27 @@ pub(super) fn solve(
     Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
 }
 
-/// Changes a list of intervals until it is an answer, with the usual number of terms times `finer`; the last list if it does not become one.
-fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mut Work) -> Result<Answer, Intervals> {
+/// Changes a list of intervals until it is an answer, with the usual number of terms times `finer`, or leaves intervals out that carry next to nothing; the last list if
+/// it does not become one.
+fn follow(problem: &Problem, support: Intervals, finer: usize, work: &mut Work) -> Result<Answer, Intervals> {
+    let mut penetrating = None;
+    changed(problem, support, finer, &mut penetrating, work)
+        .or_else(|last| penetrating.and_then(|level| refine(problem, level, true, work)).ok_or(last))
+}
+
+/// The same without leaving any out, and the first solution in which bodies penetrate each other.
+fn changed(
+    problem: &Problem,
+    mut support: Intervals,
+    mut finer: usize,
+    penetrating: &mut Option<Approximation>,
+    work: &mut Work,
+) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
+        // discs are all there is about an axis
+        if support.0.iter().any(|interval| interval.twin == Twin::Round && !interval.is_even()) {
+            break;
+        }
         work.steps.clear();
         let mut counts: Vec<usize> = support.0.iter().map(|interval| resolved(problem, interval, finer)).collect();
         support.equalise(&mut counts);
@@ -56,7 +75,11 @@ fn follow(problem: &Problem, mut support: Intervals, mut finer: usize, work: &mu
                 }
                 _ => match checked(problem, &level, work) {
                     Ok(answer) => return Ok(answer),
-                    Err(next) => next.ok_or(level.support)?,
+                    Err(Some(next)) => {
+                        penetrating.get_or_insert(level);
+                        next
+                    }
+                    Err(None) => return Err(level.support),
                 },
             },
             Err(Failure::Changed(next)) => next,
@@ -82,8 +105,8 @@ fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactE
 
 /// The answer, or a list that is nearer to it, if there is one.
 fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<Intervals>> {
-    match gaps::check(problem, level, COARSE) {
-        Ok(_) => refine(problem, level.clone(), work).ok_or(None),
+    match gaps::check(problem, level, COARSE, false) {
+        Ok(_) => refine(problem, level.clone(), false, work).ok_or(None),
         Err(Fault::Penetration { contact, punch, at, over }) => {
             Err(Some(with_interval(&level.support, (contact, punch), at, over)))
         }

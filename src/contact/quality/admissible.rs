@@ -115,7 +115,13 @@ pub(crate) fn check(problem: &Problem, level: &Level) -> Result<Check, ContactEr
 /// The moment that would remove the penetration outside contact i: the more slender of the laminates above and below is a beam there,
 /// clamped where its contacts end (3EI/l³ per unit deflection). `None` without a laminate, or if there is penetration of more than
 /// `allowed` before.
-fn recontact(kernel: &Kernel, i: usize, half_lengths: &[f64], gaps: &[(f64, f64)], allowed: f64) -> Option<Recontact> {
+pub(crate) fn recontact(
+    kernel: &Kernel,
+    i: usize,
+    half_lengths: &[f64],
+    gaps: &[(f64, f64)],
+    allowed: f64,
+) -> Option<Recontact> {
     let laminates = kernel.laminates();
     let neighbours = i.checked_sub(1).into_iter().chain([i]).filter(|laminate| *laminate < laminates.len());
     let laminate = neighbours.min_by(|a, b| laminates[*a].1.total_cmp(&laminates[*b].1))?;

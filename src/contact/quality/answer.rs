@@ -8,7 +8,7 @@ use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible::{Check, Recontact};
 use crate::contact::quality::estimates::{BEST, Level, UNKNOWN};
 use crate::contact::quality::levels::Refined;
-use crate::solution::{Interval, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Interface, Interval, Stats, Strip, Warning, WarningCode};
 
 /// The answer that a level is, and what the user should know of it.
 pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Work) -> Answer {
@@ -16,7 +16,7 @@ pub(crate) fn answer(problem: &Problem, refined: Refined, check: Check, work: Wo
     let mut warnings: Vec<Warning> = precision(problem, not_met).into_iter().collect();
     level.admit(&check);
     warnings.extend(check.recontacts.iter().map(|recontact| self::recontact(problem, recontact)));
-    warnings.extend(problem.unknown().filter_map(|i| unknown_end(problem, &level, i)));
+    warnings.extend(problem.unknown().filter_map(|i| unknown_end_of(problem, &level, i)));
     let contacts = problem.unknown().map(|i| found(problem.twin(), &level, i)).collect();
     Answer {
         contacts,
@@ -78,26 +78,35 @@ fn precision(problem: &Problem, not_met: Option<usize>) -> Option<Warning> {
 }
 
 /// What is to be said of a half-length that is not known.
-fn unknown_end(problem: &Problem, level: &Level, i: usize) -> Option<Warning> {
+fn unknown_end_of(problem: &Problem, level: &Level, i: usize) -> Option<Warning> {
     let (error, interface) = (level.errors[i].length, problem.interfaces[i]);
     if error <= UNKNOWN {
         return None;
     }
-    let message = match level.support.decay(i) {
-        Some(_) => format!(
-            "no end of the contact {interface} was found: the pressure there decays, and nothing depends on what is beyond \
-             {:.3e} from the middle",
-            level.support.half_lengths[i] * problem.kernel.length()
-        ),
-        None => format!(
-            "the end of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
-            100.0 * error
-        ),
-    };
-    Some(Warning::new(WarningCode::EndNotKnown, message))
+    Some(match level.support.decay(i) {
+        Some(_) => {
+            let message = format!(
+                "no end of the contact {interface} was found: the pressure there decays, and nothing depends on what is beyond \
+                 {:.3e} from the middle",
+                level.support.half_lengths[i] * problem.kernel.length()
+            );
+            Warning::new(WarningCode::EndNotKnown, message)
+        }
+        None => unknown_end(interface, error),
+    })
 }
 
-fn recontact(problem: &Problem, recontact: &Recontact) -> Warning {
+/// What is to be said of an end that is known as badly as that, relative.
+pub(crate) fn unknown_end(interface: Interface, error: f64) -> Warning {
+    let message = format!(
+        "the end of the contact {interface} is known to {:.0} % only, and next to nothing depends on it",
+        100.0 * error
+    );
+    Warning::new(WarningCode::EndNotKnown, message)
+}
+
+/// What is to be said of an interval that is left out.
+pub(crate) fn recontact(problem: &Problem, recontact: &Recontact) -> Warning {
     let message = format!(
         "the bodies at the contact {} are in contact again about {:.3e} from the middle; the force there, with {:.0e} of the moment \
          of the total force, is left out",

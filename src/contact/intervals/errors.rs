@@ -1,0 +1,109 @@
+//! How well ends and pressures are known.
+use crate::contact::intervals::gaps::Signs;
+use crate::contact::intervals::newton::Approximation;
+use crate::contact::intervals::support::{ContactInterval, Intervals};
+use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::{ROUNDING, SAFETY};
+use crate::contact::quality::answer;
+use crate::contact::quality::estimates::UNKNOWN;
+use crate::numeric::largest;
+use crate::solution::Warning;
+
+/// Changes from level to level are said to fall at least this fast, and at most.
+const MOST_FALL: f64 = 0.5;
+const LEAST_FALL: f64 = 0.01;
+const LEAST_FALL_GRADED: f64 = 0.1;
+
+/// How well ends and pressures are known, from what fewer terms tell of them.
+pub(super) struct Errors {
+    /// Of the ends of each interval, relative.
+    pub(super) ends: Vec<[f64; 2]>,
+    /// Of the pressure in the middle of each interval, relative to the largest of these of the contact.
+    pub(super) pressures: Vec<f64>,
+    /// The most that is due to something else than the number of terms.
+    pub(super) floor: f64,
+    /// How much less half as many terms more change than those before.
+    pub(super) fall: f64,
+}
+
+impl Errors {
+    /// Estimates them from what the last third of the terms changes, and how much less that is than what the third before changes.
+    pub(super) fn of(level: &Approximation) -> Self {
+        let all = &level.support.0;
+        let moves = level.moves();
+        let [own, some, few] = [&level.solved.pressures, &level.coarser[0], &level.coarser[1]]
+            .map(|pressures| level.middle_pressures(pressures));
+        let size = |number: usize| level.largest_pressure(all[number].contact, &own);
+        let differ = |number: usize| {
+            [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())
+        };
+        let changes: Vec<[f64; 2]> = (0..all.len()).map(differ).collect();
+        // next to graded faces changes fall like a power
+        let least = if level.graded.contains(&true) { LEAST_FALL_GRADED } else { LEAST_FALL };
+        let fall = |changes: &[[f64; 2]]| {
+            let [last, before] = [0, 1].map(|k| largest(changes.iter().map(|change| change[k].abs())));
+            if last > 0.0 { (last / before).clamp(least, MOST_FALL) } else { least }
+        };
+        let falls = [fall(&moves), fall(&changes)];
+        let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
+        // short waves are felt where an interval is short
+        let rest = |interval: &ContactInterval| {
+            level.left + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half
+        };
+        let rests: Vec<f64> = all.iter().map(rest).collect();
+        // steps go on with more terms
+        let steps = if level.is_rounding { 0.0 } else { level.left };
+        let mut next = moves.iter();
+        let ends = |(interval, rest): (&ContactInterval, &f64)| {
+            let mut errors = [*rest; 2];
+            for side in interval.sides() {
+                let k = usize::from(*side > 0.0);
+                let moved = next.next().map_or(0.0, |[moved, _]| moved.abs() * interval.half / interval.sizes()[k]);
+                errors[k] += of_ends * moved;
+            }
+            errors
+        };
+        Self {
+            ends: all.iter().zip(&rests).map(ends).collect(),
+            pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
+            floor: largest(rests.iter().copied()) - steps,
+            fall: falls[0].max(falls[1]),
+        }
+    }
+
+    /// Adds what an answer is seen to be wrong by: tension, ends next to which pressures are no larger or on which nothing depends, and intervals that are left out.
+    pub(super) fn admit(&mut self, level: &Approximation, signs: &Signs) {
+        let unknown = level.unknown();
+        for (number, interval) in level.support.0.iter().enumerate() {
+            self.pressures[number] = self.pressures[number].max(SAFETY * signs.tensions[interval.contact]);
+            for k in interval.sides().iter().map(|side| usize::from(*side > 0.0)) {
+                let wrong = signs.ends[number][k].max(unknown[number][k]) * interval.half / interval.sizes()[k];
+                self.ends[number][k] = self.ends[number][k].max(wrong);
+            }
+            for recontact in &signs.recontacts {
+                let laminate = recontact.laminate..=recontact.laminate + 1;
+                let moves = if laminate.contains(&interval.contact) { recontact.moves() } else { 0.0 };
+                self.ends[number].iter_mut().for_each(|end| *end += moves);
+                self.pressures[number] += recontact.moment;
+            }
+        }
+    }
+
+    /// What is to be said of the ends of a contact that are not known.
+    pub(super) fn unknown_end(&self, problem: &Problem, support: &Intervals, contact: usize) -> Option<Warning> {
+        let own = support.0.iter().zip(&self.ends).filter(|(interval, _)| interval.contact == contact);
+        let free = own.flat_map(|(interval, ends)| {
+            interval
+                .sides()
+                .iter()
+                .filter(|side| !interval.is_corner(**side))
+                .map(|side| ends[usize::from(*side > 0.0)])
+        });
+        let error = largest(free);
+        (error > UNKNOWN).then(|| answer::unknown_end(problem.interfaces[contact], error))
+    }
+
+    pub(super) fn worst(&self) -> f64 {
+        largest(self.ends.iter().flatten().chain(&self.pressures).copied())
+    }
+}
