@@ -16,7 +16,7 @@ use crate::numeric::quadrature::{LARGEST, laguerre_rule, rule};
 use crate::numeric::vector::vectorised;
 
 /// Nodes whose Bessel functions are made together.
-pub(crate) const TOGETHER: usize = 64;
+pub(crate) const TOGETHER: usize = 512;
 /// Points on the path into the complex plane.
 const TURNED_POINTS: usize = 32;
 /// The turned path is laid for a contact this much longer than the shortest of those that share it: the points are those
