@@ -46,7 +46,7 @@ impl Errors {
         };
         let falls = [fall(&moves), fall(&changes)];
         let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
-        // short waves are felt where an interval is short
+        // short waves matter where an interval is short
         let rest = |interval: &ContactInterval| {
             level.left + 10.0 * ROUNDING + level.left_out[interval.contact] / interval.half
         };
