@@ -46,7 +46,7 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.
-const ROOMS: [&str; 13] = [
+const ROOMS: [&str; 14] = [
     "error",
     "problem",
     "answer",
@@ -60,6 +60,7 @@ const ROOMS: [&str; 13] = [
     "tangent",
     "thin",
     "controlled",
+    "interpolation",
 ];
 
 /// Leaves: what is asked for, and what comes out. Anything but `numeric` may import them.

@@ -146,15 +146,14 @@ fn no_scene_takes_more_than_it_did() {
 }
 
 #[test]
-fn one_more_of_many_loads_is_one_factorisation() {
-    for (name, most) in [("table1_R500_load1000", 4), ("full_beta-1_R500", 6), ("two_strips_loose", 6)] {
+fn one_more_of_many_loads_solves_no_equations() {
+    for name in ["table1_R500_load1000", "full_beta-1_R500", "two_strips_loose"] {
         let scene = Scene::read(file(name)).expect("a scene of the project");
         let model = Model::new(scene.stack().expect("a stack")).expect("a model").for_many_loads();
         for part in [1.0, 1.1, 0.9] {
             let solution = model.press(&scene.top, part * scene.force.given().unwrap()).expect("a solution");
             let (factorisations, steps) = (solution.stats().factorisations, solution.newton_steps());
-            println!("{name}: {factorisations} factorisations, {steps} steps");
-            assert!(factorisations == 1 && steps <= most, "{name}: {factorisations} factorisations, {steps} steps");
+            assert!(factorisations == 0 && steps == 0, "{name}: {factorisations} factorisations, {steps} steps");
         }
     }
 }

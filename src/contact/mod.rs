@@ -9,6 +9,7 @@ mod ends;
 mod equations;
 mod error;
 mod integrals;
+mod interpolation;
 mod intervals;
 pub(crate) mod problem;
 mod programme;
@@ -25,7 +26,7 @@ use crate::solution::{Interface, OwnerKey, Solution};
 
 pub(crate) use controlled::{Measured, press_to};
 pub use error::{ContactError, Controlled, NoSolution};
-pub(crate) use starts::table::Table;
+pub(crate) use interpolation::Curves;
 pub(crate) use tangent::tangent;
 
 use answer::Answer;
@@ -39,8 +40,6 @@ pub(crate) struct Asked<'a> {
     /// The stack, to which solutions belong.
     pub(crate) stack: &'a OwnerKey,
     pub(crate) kernel: &'a Kernel,
-    /// A table of solutions for this kernel, if starts may be taken from one.
-    pub(crate) table: Option<&'a Table>,
     pub(crate) interfaces: &'a [Interface],
     pub(crate) top: &'a Top,
     /// Relative error wanted.
@@ -54,10 +53,7 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
     let answer = if problem.unknown().next().is_none() {
         Answer::known(&problem)
     } else if problem.is_even() {
-        // a table is for one kernel
-        let table = asked.table.filter(|_| asked.top.material().is_none());
-        let table_of = |problem: &Problem| table.filter(|_| std::ptr::eq(problem.kernel, own));
-        thin::solve(&problem, |problem| solve_in_order(problem, table_of(problem)))?
+        thin::solve(&problem, solve_in_order)?
     } else {
         let start = intervals::of_formulas(&problem, &formulas::anywhere(&problem));
         intervals::solve(&problem, start.as_slice(), &intervals::ROUNDS, &mut Operations::at_most(problem.operations))?
@@ -131,7 +127,7 @@ mod tests {
                 let given = Given::of(top.innermost().right / kernel.length(), &top.strips[0].coefficients);
                 let mut problem = Problem::new(&kernel, &interfaces, &punch, force, Options::default().tolerance);
                 problem.sides[0] = Side::Known(given);
-                let found = solve_in_order(&problem, None).unwrap().into_solution(&problem, force, None);
+                let found = solve_in_order(&problem).unwrap().into_solution(&problem, force, None);
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
                     assert!(
                         (found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-10,

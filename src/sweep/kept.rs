@@ -14,7 +14,7 @@ const KEPT: usize = 512;
 /// Fewer where they have more numbers than these in all, 256 MB of them: then some are made more than once.
 const MOST_NUMBERS: usize = 1 << 25;
 
-/// Rows per stack from which on a table of solutions to start from saves time.
+/// Forces per stack and punch from which on solutions are interpolated, each of which takes the solutions of a dozen forces nearby.
 const MANY: usize = 100;
 
 /// A value that is computed once for many rows; rows that need it wait.
@@ -80,7 +80,7 @@ impl Sweep {
         let model = self.models.get(&of_stack, || {
             let stack = Stack::from_items(self.scene.geometry, &self.scene.with_changes(&of_stack)?.stack)?;
             let model = Model::new(stack)?;
-            Ok(if self.rows / self.stacks() >= MANY { model.for_many_loads() } else { model })
+            Ok(if self.forces() >= MANY { model.for_many_loads() } else { model })
         })?;
         let Scene { top, force, .. } = self.scene.with_changes(&others)?;
         let solution = model.press_with(&top, force, &self.options)?;

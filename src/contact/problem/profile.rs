@@ -88,23 +88,6 @@ impl<'a> Profile<'a> {
         self.is_sharp().then(|| self.slope(JUMP) - self.slope(-JUMP))
     }
 
-    /// Whether the profile is a parabola.
-    pub(crate) fn is_parabola(&self) -> bool {
-        matches!(&self.shape, Shape::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
-    }
-
-    /// RP'/L of the parabola that presses as hard on a contact of this half-length, or at its apex; `None` if the profile is
-    /// like none.
-    pub(crate) fn as_parabola(&self, half_length: f64) -> Option<f64> {
-        if !self.is_parabola() && !matches!(self.shape, Shape::Circle(_)) {
-            return None;
-        }
-        if half_length == 0.0 || self.is_parabola() {
-            return Some(self.force / (self.length * self.shape.curvature(0.0)));
-        }
-        Some(self.twin.parabola_row * half_length / self.first_row(half_length))
-    }
-
     /// Half-length at which the punch ends, in units of L.
     pub(crate) fn edge(&self) -> Option<f64> {
         self.shape.edge().map(|limit| limit / self.length)

@@ -39,8 +39,6 @@ pub(crate) struct Numbers {
     load: f64,
     /// What a compliance of all waves is multiplied by where a force makes a contact.
     compliance: f64,
-    /// The first row of a parabola of radius 1 on a contact of half-length 1.
-    pub(crate) parabola_row: f64,
     /// The pressure at the middle per unit of Σ y_m/(πj), over P', under a contact of half-length 1.
     unit: f64,
     /// The first of the modes of arcosh(1/s), in the unit of `unit` over π.
@@ -60,7 +58,6 @@ static PLANE: Numbers = Numbers {
     diagonal: 0.5,
     load: 0.5,
     compliance: 1.0,
-    parabola_row: 0.5 * PI,
     unit: 2.0,
     tip: 2.0,
     under_jump: 1.0 / PI,
@@ -76,7 +73,6 @@ static ROUND: Numbers = Numbers {
     diagonal: 0.5625 * PI,
     load: 0.375,
     compliance: PI,
-    parabola_row: 4.0 / 3.0,
     unit: 3.0 * PI,
     // the first mode of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
     tip: 1.5,

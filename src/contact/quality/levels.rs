@@ -4,7 +4,7 @@ use crate::contact::ends::newton::{Newton, Work};
 use crate::contact::error::ContactError;
 use crate::contact::integrals::layout::negligible;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{COARSE, MINOR, SLOW};
+use crate::contact::problem::accuracy::{COARSE, SLOW};
 use crate::contact::problem::modes::{COARSEST, FINEST, Modes, weight};
 use crate::contact::problem::twin::Twin;
 use crate::contact::quality::admissible;
@@ -32,8 +32,6 @@ pub(crate) enum Start {
     Guess { half_lengths: Vec<f64> },
     /// Half-lengths from the quadratic programme, or from another solution: the first steps are finer than usual.
     Cold { half_lengths: Vec<f64> },
-    /// Half-lengths almost as right as any answer, and how large modes are there.
-    Warm { half_lengths: Vec<f64>, modes: Modes },
 }
 
 /// The best level that was reached.
@@ -91,7 +89,7 @@ struct Levels<'a> {
 
 impl<'a> Levels<'a> {
     fn new(problem: &'a Problem, start: &Start, work: Work) -> Self {
-        let (Start::Guess { half_lengths } | Start::Cold { half_lengths } | Start::Warm { half_lengths, .. }) = start;
+        let (Start::Guess { half_lengths } | Start::Cold { half_lengths }) = start;
         let n = half_lengths.len();
         let finest = FINEST.min(2 * FINEST / n);
         let mut solved = coarsest(problem.kernel, half_lengths, finest / 2);
@@ -109,15 +107,13 @@ impl<'a> Levels<'a> {
     }
 
     fn run(&mut self, start: Start) -> Result<Refined, ContactError> {
-        // a warm start has no coarse level to compare with, so that its error estimate may not be trusted
-        let mut is_doubtful = matches!(start, Start::Warm { .. });
-        let (mut half_lengths, rough) = self.begin(start)?;
+        let (Start::Guess { half_lengths } | Start::Cold { half_lengths }) = start;
+        let (mut half_lengths, rough) = self.newton.coarse(half_lengths, &self.coarse, self.tolerance)?;
         self.first(&rough);
         let mut fewer = self.coarse.clone();
         let mut best = Best::default();
         loop {
             let found = self.converge(&half_lengths, &fewer);
-            let fully_solved = found.as_ref().is_ok_and(|found| found.fully_solved.contains(&true));
             let level = match found {
                 Ok(found) => {
                     let mut level = Level::new(found, self.problem, negligible(self.tolerance));
@@ -132,9 +128,6 @@ impl<'a> Levels<'a> {
                     None => return self.few_digits(half_lengths),
                 },
             };
-            if std::mem::take(&mut is_doubtful) && (fully_solved || level.worst_error() > MINOR * COARSE) {
-                return Err(self.problem.not_converged(&level.support.half_lengths));
-            }
             if level.worst_error() <= self.tolerance {
                 return Ok(self.refined(level));
             }
@@ -148,19 +141,6 @@ impl<'a> Levels<'a> {
                 && let Some(best) = best.level.take()
             {
                 return Ok(self.refined(best));
-            }
-        }
-    }
-
-    /// A coarse solution, or what is known of one.
-    fn begin(&mut self, start: Start) -> Result<(Vec<f64>, Modes), ContactError> {
-        match start {
-            Start::Guess { half_lengths } | Start::Cold { half_lengths } => {
-                self.newton.coarse(half_lengths, &self.coarse, self.tolerance)
-            }
-            Start::Warm { half_lengths, mut modes } => {
-                modes.iter_mut().zip(&self.coarse).for_each(|(modes, coarse)| modes.truncate(*coarse));
-                Ok((half_lengths, modes))
             }
         }
     }

@@ -1,4 +1,3 @@
 //! Where Newton's method starts, and in which order starting points are tried.
 pub(crate) mod formulas;
 pub(crate) mod order;
-pub(crate) mod table;

@@ -20,7 +20,6 @@ use crate::contact::quality::answer::answer;
 use crate::contact::quality::estimates::{ENDLESS, UNKNOWN};
 use crate::contact::quality::levels::{Start, refine};
 use crate::contact::starts::formulas;
-use crate::contact::starts::table::Table;
 use crate::numeric::largest;
 use crate::solution::Interface;
 
@@ -33,16 +32,10 @@ struct Attempt {
     recontacts: Vec<Interface>,
 }
 
-/// Tries starting points in order of cost: an entry of a table of solutions where there is one, and then as above.
-pub(crate) fn solve_in_order(problem: &Problem, table: Option<&Table>) -> Result<Answer, ContactError> {
+/// Tries starting points in order of cost, as above.
+pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> {
     let work = Work { operations: Operations::at_most(problem.operations), ..Work::default() };
     let mut search = Search { problem, work, expected: Vec::new(), doubtful: None, several: None, far: 0.0 };
-    if let Some(start) = table.and_then(|table| table.start(problem))
-        && let Ok(attempt) = search.solve_from(start)
-        && attempt.answer.warnings.is_empty()
-    {
-        return Ok(attempt.answer);
-    }
     search.expected = formulas::half_lengths(problem);
     // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be
     if problem.too_small(&search.expected).is_some()
