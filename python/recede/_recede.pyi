@@ -158,7 +158,7 @@ class Model:
 
     Args:
         stack: a `Stack`, or a `Scene`, of which the stack is taken.
-        many_loads: keeps a table of solutions to start others from, which halves the time of thousands of loads.
+        many_loads: keeps solutions at fixed forces and interpolates between them, for thousands of forces under one punch.
     """
 
     def __new__(cls, stack: Stack | Scene, *, many_loads: bool = False) -> Model: ...

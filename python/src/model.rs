@@ -20,7 +20,7 @@ pub const PATIENCE: Duration = Duration::from_millis(100);
 ///
 /// Args:
 ///     stack: a `Stack`, or a `Scene`, of which the stack is taken.
-///     many_loads: keeps a table of solutions to start others from, which halves the time of thousands of loads.
+///     many_loads: keeps solutions at fixed forces and interpolates between them, for thousands of forces under one punch.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Model {
     solver: Arc<Solver>,
