@@ -46,14 +46,11 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.
-const ROOMS: [&str; 14] = [
+const ROOMS: [&str; 11] = [
     "error",
     "problem",
     "answer",
     "integrals",
-    "equations",
-    "ends",
-    "quality",
     "programme",
     "intervals",
     "starts",

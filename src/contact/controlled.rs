@@ -5,9 +5,9 @@
 use std::f64::consts::LN_2;
 
 use crate::contact::error::{ContactError, Controlled, NoSolution};
+use crate::contact::problem::accuracy::BEST;
 use crate::contact::problem::profile::Profile;
 use crate::contact::problem::twin::Twin;
-use crate::contact::quality::estimates::BEST;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::options::Options;
@@ -62,12 +62,11 @@ pub(crate) fn press_to<E: From<ContactError>>(
                 all.newton_steps.append(&mut solution.stats.newton_steps);
                 all.factorisations += solution.stats.factorisations;
                 all.interpolated += solution.stats.interpolated;
-                all.stopped.append(&mut solution.stats.stopped);
                 let Measured { value, error } = measure(&solution)?;
                 let (missing, error) = ((wanted / value).ln(), error / value);
                 if missing.abs() <= enough.max(MET * error) {
-                    let Stats { newton_steps, factorisations, interpolated, stopped, .. } = all;
-                    let stats = Stats { newton_steps, factorisations, interpolated, stopped, ..solution.stats };
+                    let Stats { newton_steps, factorisations, interpolated, .. } = all;
+                    let stats = Stats { newton_steps, factorisations, interpolated, ..solution.stats };
                     let force_error = search.slope_to(missing) * (error + missing.abs()) * force;
                     return Ok(Solution { force_error, stats, ..solution });
                 }

@@ -8,8 +8,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::contact::error::ContactError;
-use crate::contact::problem::accuracy::SAFETY;
-use crate::contact::quality::estimates::BEST;
+use crate::contact::problem::accuracy::{BEST, SAFETY};
 use crate::numeric::chebyshev::{barycentric_weights, interpolation_row};
 use crate::numeric::largest;
 use crate::scene::Top;
@@ -179,13 +178,7 @@ impl<'a> Between<'a> {
             rotations: (0..one.rotations.len()).map(|k| self.value(|point| point.rotations[k])).collect(),
             min_pressure: self.value(|point| point.min_pressure).min(0.0),
             min_gap: self.value(|point| point.min_gap).min(0.0),
-            stats: Stats {
-                newton_steps: Vec::new(),
-                stopped: Vec::new(),
-                interpolated: 0,
-                factorisations: 0,
-                ..one.stats.clone()
-            },
+            stats: Stats { newton_steps: Vec::new(), interpolated: 0, factorisations: 0, ..one.stats.clone() },
             warnings: Vec::new(),
         })
     }

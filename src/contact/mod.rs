@@ -1,19 +1,15 @@
-//! The contact problem: half-lengths and pressures of all contacts, for one punch, or given loads, and one force on prepared kernels.
+//! The contact problem: intervals and pressures of all contacts, for one punch, or given loads, and one force on prepared kernels.
 //!
-//! An answer goes through the rooms in order: [`problem`], start ([`starts`]), Newton's method on the ends ([`ends`], with the
-//! [`equations`] and their [`integrals`]) over refinement levels and the sign check ([`quality`]), and the one assembly of a
-//! solution ([`answer`]). Where Newton's method fails, the quadratic programme is asked ([`programme`], [`intervals`]).
+//! An answer goes through the rooms in order: [`problem`], lists of intervals to begin with ([`starts`]), the intervals where no pressure is singular and nothing is negative
+//! ([`intervals`], with their [`integrals`]), and the one assembly of a solution ([`answer`]). Where the first lists fail, the quadratic programme is asked ([`programme`]).
 pub(crate) mod answer;
 mod controlled;
-mod ends;
-mod equations;
 mod error;
 mod integrals;
 mod interpolation;
 mod intervals;
 pub(crate) mod problem;
 mod programme;
-pub(crate) mod quality;
 pub(crate) mod starts;
 mod tangent;
 mod thin;
@@ -31,7 +27,6 @@ pub(crate) use tangent::tangent;
 
 use answer::Answer;
 use problem::Problem;
-use problem::iteration::Operations;
 use starts::formulas;
 use starts::order::solve_in_order;
 
@@ -55,8 +50,7 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
     } else if problem.is_even() {
         thin::solve(&problem, solve_in_order)?
     } else {
-        let start = intervals::of_formulas(&problem, &formulas::anywhere(&problem));
-        intervals::solve(&problem, start.as_slice(), &intervals::ROUNDS, &mut Operations::at_most(problem.operations))?
+        solve_in_order(&problem)?
     };
     Ok(answer.into_solution(&problem, force, Some(asked.stack)))
 }

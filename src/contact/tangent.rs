@@ -2,14 +2,10 @@
 //!
 //! They vanish at the ends of their contacts, or are the pressures of a flat punch: to first order the contacts stay as long as they are. What a unit
 //! force adds is the pressure of contacts of these half-lengths that are joined, singular at their ends.
-use crate::contact::answer::Answer;
-use crate::contact::ends::newton::Work;
-use crate::contact::error::ContactError;
+use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::intervals;
 use crate::contact::problem::Problem;
 use crate::contact::problem::iteration::Operations;
-use crate::contact::quality::admissible::Check;
-use crate::contact::quality::answer::answer;
-use crate::contact::quality::levels::{Start, refine};
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
 use crate::scene::Top;
@@ -27,13 +23,8 @@ pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option
     let half_lengths: Vec<f64> = contacts.iter().map(Contact::half_length).collect::<Option<_>>()?;
     let interfaces: Vec<Interface> = contacts.iter().map(|contact| contact.interface).collect();
     let problem = Problem::joined(kernel, &interfaces, top, &half_lengths, TOLERANCE);
-    Some(solve(&problem).map(|answer| answer.into_solution(&problem, 1.0, None)))
-}
-
-fn solve(problem: &Problem) -> Result<Answer, ContactError> {
-    let half_lengths = formulas::half_lengths(problem);
-    let mut work = Work { operations: Operations::at_most(MOST), ..Work::default() };
-    work.operations.start();
-    let refined = refine(problem, Start::Guess { half_lengths }, &mut work)?;
-    Ok(answer(problem, refined, Check::default(), work))
+    let joined = intervals::of_formulas(&problem, &formulas::anywhere(&problem))?;
+    let answer = intervals::solve(&problem, &[joined], &intervals::ROUNDS, &mut Operations::at_most(MOST));
+    let answer = answer.map_err(|refused| refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
+    Some(answer.map(|answer| answer.into_solution(&problem, 1.0, None)))
 }

@@ -344,9 +344,9 @@ fn support_stiffness(stack: &Stack, modulus: f64) -> f64 {
 
 /// The error estimate of the pressure of a contact inside it, in stress; rounding of the mean pressure at least.
 fn pressure_error(contact: &Contact, mean: f64) -> f64 {
-    // the pressure at x = 0 is extrapolated from the series, the field belongs to the series itself
-    let error = |peak: f64| contact.central_pressure_error + (contact.pressure(0.0) - peak).abs();
-    let peak = if contact.central_pressure.is_finite() { error(contact.central_pressure) } else { 0.0 };
+    // elsewhere the series is no better than its last terms say
+    let error = contact.central_pressure_error + contact.last_term();
+    let peak = if contact.central_pressure.is_finite() { error } else { 0.0 };
     let ends = contact.innermost().end_error();
     let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
     peak + if rounding.is_finite() { rounding } else { 0.0 }

@@ -83,12 +83,6 @@ impl Asymptote {
         if from > self.from { from } else { 0.0 }
     }
 
-    /// The same for `little` (ζa)²: the parts of products of waves that oscillate.
-    pub(super) fn oscillations_vanish(&self, half_length: f64, little: f64) -> f64 {
-        let remainder = self.rate * self.from / (little * self.limit);
-        self.vanishes(half_length, little).min((remainder / (half_length * half_length)).cbrt()).max(self.from)
-    }
-
     /// The kernel minus its short-wave limit at ζ ≥ `from`.
     pub(crate) fn remainder(&self, zeta: f64) -> f64 {
         self.remainder.as_ref().map_or(0.0, |series| series.eval(self.from / zeta))

@@ -297,17 +297,6 @@ impl Kernel {
             .max(asymptote.vanishes(half_length, negligible))
     }
 
-    /// The wavenumber beyond which the oscillating part of an integral with the kernel of contact i is negligible, past the
-    /// turning points: no more than [`Self::vanishes`].
-    pub(crate) fn oscillations_vanish(&self, contact: usize, half_length: f64, turning: f64, negligible: f64) -> f64 {
-        let asymptote = &self.asymptotes[contact];
-        let vanishes = self.vanishes(contact, half_length, negligible);
-        if asymptote.is_constant() {
-            return vanishes;
-        }
-        asymptote.oscillations_vanish(half_length, negligible).max(turning).min(vanishes)
-    }
-
     /// The wavenumber beyond which the coupling of the contacts i and i + 1 is below `negligible` of the lesser of their short-wave
     /// limits, weighted as for contacts of this half-length and longer ones.
     pub(crate) fn uncoupled(&self, i: usize, half_length: f64, negligible: f64) -> f64 {
@@ -327,17 +316,6 @@ impl Kernel {
         let Asymptote { from, limit, .. } = self.asymptotes[contact];
         let mut panels = self.panels.iter().rev().filter(|panel| panel.from < from);
         panels.find_map(|panel| panel.last_above(contact, limit, LITTLE * limit)).unwrap_or(0.0)
-    }
-
-    /// Ratio of the bending compliance of the laminate between the contacts i and i + 1 to the compression of both, at one
-    /// wavenumber.
-    pub(crate) fn coupling_strength(&self, i: usize, zeta: f64) -> f64 {
-        let Some(at) = self.at(zeta) else { return 0.0 };
-        let compression = |i: usize| {
-            let Asymptote { from, limit, .. } = self.asymptotes[i];
-            if at.panel.from < from { at.equal_pressure(i) } else { limit }
-        };
-        -at.coupling(i) / (compression(i) + compression(i + 1)).abs()
     }
 
     /// The wavenumber beyond which the equal-pressure response of contact i is a polynomial in 1/ζ, to rounding.

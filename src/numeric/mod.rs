@@ -20,6 +20,13 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
         .fold(0.0, |most: f64, value| if value.is_nan() || most.is_nan() { f64::NAN } else { most.max(value) })
 }
 
+/// The largest absolute value; what is no number counts as larger than any: a step of that kind leads nowhere.
+pub fn longest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values
+        .into_iter()
+        .fold(0.0, |longest: f64, value| if value.is_nan() { f64::INFINITY } else { longest.max(value.abs()) })
+}
+
 #[cfg(test)]
 mod tests {
     use super::largest;

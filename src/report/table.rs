@@ -173,7 +173,6 @@ impl fmt::Display for Stats {
         writeln!(f, "{:>8} wavenumbers interpolated, all integrals together", self.interpolated)?;
         writeln!(f, "{:>8} modes of each contact", list(&self.modes))?;
         writeln!(f, "{:>8} Newton steps on each refinement level", list(&self.newton_steps))?;
-        writeln!(f, "{:>8} why each refinement level ended", list(&self.stopped))?;
         writeln!(f, "{:>8} factorisations", self.factorisations)
     }
 }

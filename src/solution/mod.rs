@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 
 pub use contact::{Contact, Interval};
 pub use peak::Peak;
-pub(crate) use strip::{Form, Strip, jacobi_sums, jacobi_weights, tip_coefficient};
+pub(crate) use strip::{Form, Strip, jacobi_weights, tip_coefficient};
 pub use warning::{Warning, WarningCode};
 
 /// Which contact: the punch on top, or a receding interface.
@@ -90,33 +90,8 @@ pub struct Stats {
     /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first; for each force that was tried, if
     /// it was found.
     pub newton_steps: Vec<usize>,
-    /// Why each level of refinement ended, the coarsest first; for each force that was tried, if it was found. Empty for an
-    /// answer of low accuracy, and for contacts in several intervals.
-    pub stopped: Vec<Stopped>,
     /// Systems of equations that were factorised.
     pub factorisations: usize,
-}
-
-/// Why a level of refinement ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Stopped {
-    /// What is left is below the tolerance.
-    Converged,
-    /// What is left is below the truncation error: more modes are needed to make it smaller.
-    Truncated,
-    /// The iteration hardly grows shorter.
-    Slow,
-    /// The iteration goes nowhere: the modes that were solved for are all there is.
-    Diverged,
-    /// More wavenumbers would be needed than memory and time allow.
-    Budget,
-}
-
-impl fmt::Display for Stopped {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&format!("{self:?}").to_lowercase())
-    }
 }
 
 /// What a solution belongs to, known by a key of any type.

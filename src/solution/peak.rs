@@ -136,6 +136,19 @@ impl Contact {
         self.strips.iter().map(of).fold(0.0, f64::max)
     }
 
+    /// The largest of the last terms of the series of the pressure: next to graded faces they hardly fall from one to the next.
+    pub(crate) fn last_term(&self) -> f64 {
+        let last = |strip: &Strip| {
+            let terms = &strip.coefficients;
+            terms[terms.len().saturating_sub(6)..]
+                .iter()
+                .fold(0.0, |most: f64, c| most.max(c.abs()))
+        };
+        // of a pressure that is given none is missing
+        let is_found = self.central_pressure_error > 0.0;
+        self.strips.iter().filter(|strip| is_found && strip.form == Form::Series).map(last).fold(0.0, f64::max)
+    }
+
     /// The largest relative error of an end that is known.
     fn end_error(&self) -> f64 {
         let errors = self.intervals.iter().map(Interval::end_error);

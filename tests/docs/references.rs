@@ -1,7 +1,7 @@
 //! Publications cited in documents and code are those of `docs/references.md`.
 use super::{documents, files, read, root};
 
-/// A name and a year, as in `Sloan 1976`, stand for a publication that `docs/references.md` has.
+/// A name and a year, as in `Steuermann 1939`, stand for a publication that `docs/references.md` has.
 #[test]
 fn publications_that_are_cited_are_listed() {
     let list = read(&root().join("docs/references.md"));
@@ -48,7 +48,7 @@ fn citations(text: &str) -> Vec<String> {
 #[test]
 fn citations_are_found() {
     assert_eq!(
-        citations("(Fritsch and Carlson 1980). See Sloan 1976; not MAX 2000 or Units 2000.0"),
-        ["Carlson 1980", "Sloan 1976"]
+        citations("(Fritsch and Carlson 1980). See Steuermann 1939; not MAX 2000 or Units 2000.0"),
+        ["Carlson 1980", "Steuermann 1939"]
     );
 }

@@ -92,12 +92,6 @@ impl<'a> ColumnRange<'a> {
         &self.values[m * self.rows..(m + 1) * self.rows]
     }
 
-    /// Some of these columns.
-    pub(crate) fn part(self, columns: Range<usize>) -> Self {
-        let values = &self.values[columns.start * self.rows..columns.end * self.rows];
-        Self { count: columns.len(), values, ..self }
-    }
-
     /// As a matrix of some rows.
     pub(crate) fn matrix(self, rows: Range<usize>) -> MatRef<'a, f64> {
         MatRef::from_column_major_slice_with_stride(self.values, self.rows, self.count, self.rows)

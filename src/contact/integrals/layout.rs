@@ -2,21 +2,16 @@
 //!
 //! Every matrix entry is an integral of a kernel times two Bessel functions, ∫ g(ζ) J_k(ζa) J_j(ζa') dζ/ζ. What is
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
-//! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: [`Tail`].
-use crate::contact::integrals::tail::{Ends, MOST_UNLIKE, MOST_WAVENUMBERS, Tail, Weights, turning};
+//! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: see [`super::tail`].
+use crate::contact::integrals::tail::MOST_WAVENUMBERS;
 use crate::contact::problem::twin::Twin;
 use crate::kernel::{Kernel, Panel, Values, sum_of};
 use crate::numeric::quadrature::{LARGEST, rule};
 
-/// Bessel functions of all orders at all wavenumbers, 50 MB: what memory and patience allow. The hardest scenes that are known
-/// to ten digits need nearly as many; twice as many take twice the time before less exact answers are looked for.
-const MOST_ENTRIES: usize = 6_500_000;
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
 /// Without tails, integrals end after about this many wavenumbers.
-const CUT_AFTER: f64 = 6_000.0;
-/// Real wavenumbers that a tail must save.
-const TAIL_PAYS: f64 = 100.0;
+const CUT_AFTER: f64 = 24_000.0;
 
 /// Parts of a kernel that are smaller than this, relative to its limit, are left out of a layout: what answers with a
 /// relative error of `tolerance` need.
@@ -34,7 +29,7 @@ fn points(phase: f64, digits: f64) -> usize {
 
 /// Fields away from the contacts are wanted to this, relative.
 pub(crate) const FIELDS: f64 = 1e-6;
-/// Nodes and weights; `weights` of a contact or coupling cover the first nodes of `zeta`, and a tail.
+/// Nodes and weights; the weights of a contact or coupling cover the first nodes of `zeta`.
 pub(crate) struct Layout {
     /// Plane or axisymmetric.
     pub(crate) twin: Twin,
@@ -43,9 +38,7 @@ pub(crate) struct Layout {
     /// Per contact.
     pub(crate) own: Vec<Own>,
     /// Per pair of neighbours: weights −dζ/ζ times the coupling.
-    pub(crate) coupling: Vec<Weights>,
-    /// What lies beyond, for contacts that share it.
-    tails: Vec<Tail>,
+    pub(crate) coupling: Vec<Vec<f64>>,
     /// Of intervals: beyond its wavenumbers each contact has tails of its intervals, from here on; infinite where it has none.
     pub(crate) tails_from: Vec<f64>,
 }
@@ -65,15 +58,13 @@ pub(crate) struct Lengths {
 /// What belongs to one contact alone.
 pub(crate) struct Own {
     /// Weights dζ/ζ times the kernel under equal neighbouring pressures less its limit.
-    pub(crate) unit: Weights,
+    pub(crate) unit: Vec<f64>,
     /// How many real wavenumbers anything of this contact needs.
     pub(crate) reach: usize,
     /// g∞.
     pub(crate) limit: f64,
     /// What was taken out of `unit`: a sum of c exp(−ζb), in pairs of b and c, and weights dζ/ζ times it.
     pub(crate) exponentials: (Vec<[f64; 2]>, Vec<f64>),
-    /// Which of the tails is this contact's.
-    tail: usize,
 }
 
 /// Vectors begin with room for this number of real wavenumbers, enough for most layouts: else they grow five times each. No number depends on it.
@@ -91,8 +82,6 @@ struct Plan<'a> {
     negligible: f64,
     /// Fields are resolved as far out as this.
     span: f64,
-    /// There are no tails: all wavenumbers are real.
-    cut: bool,
 }
 
 /// Wavenumbers of a part of a stretch.
@@ -106,128 +95,15 @@ struct Part {
     values: Values,
 }
 
-/// Contacts next to each other that share a tail, or have none.
-struct Group {
-    contacts: Vec<usize>,
-    /// R; infinite without a tail.
-    from: f64,
-}
-
-impl Group {
-    /// Where its tail ends; contacts end to matter at `ends`, and couplings at `coupled`.
-    fn ends(&self, kernel: &Kernel, ends: &[f64], coupled: &[f64]) -> Ends {
-        let finite = |i: &usize| if kernel.asymptote(*i).is_constant() { ends[*i] } else { kernel.asymptote(*i).from };
-        let neighbours = |i: &usize| &coupled[i.saturating_sub(1)..(i + 1).min(coupled.len())];
-        let to = self.contacts.iter().flat_map(|i| neighbours(i).iter().copied().chain([finite(i)]));
-        let together = self.contacts.iter().skip(1).map(|below| coupled[below - 1]).fold(0.0, f64::max);
-        Ends { from: self.from, coupled: together, to: to.fold(0.0, f64::max) }
-    }
-}
-
-/// Which contacts have tails, and which share them: where that saves real wavenumbers.
-fn groups(half_lengths: &[f64], orders: &[usize], ends: &[f64], coupled: &[f64]) -> Vec<Group> {
-    let pays = |a: f64, from: f64, to: f64| 0.5 * a * (to - from) > TAIL_PAYS;
-    let mut groups: Vec<Group> = Vec::new();
-    for (i, a) in half_lengths.iter().enumerate() {
-        let turned = turning(orders[i]) / a;
-        let from = if pays(*a, turned, ends[i]) { turned } else { f64::INFINITY };
-        if let Some(above) = groups.last_mut() {
-            let alike = above.contacts.iter().all(|k| (half_lengths[*k] / a).ln().abs() < MOST_UNLIKE.ln());
-            let both = above.from.max(from);
-            if alike && both.is_finite() && pays(*a, both, coupled[i - 1]) {
-                above.contacts.push(i);
-                above.from = both;
-                continue;
-            }
-        }
-        groups.push(Group { contacts: vec![i], from });
-    }
-    groups
-}
-
 impl Layout {
-    /// For half-lengths (in units of L) near `half_lengths` and Bessel functions up to the given orders, 0 where the
-    /// pressure is given, able to resolve the fields out to |x| = `span` besides; `None` if that takes too many.
-    pub(crate) fn new(
-        kernel: &Kernel,
-        half_lengths: &[f64],
-        orders: &[usize],
-        negligible: f64,
-        span: f64,
-    ) -> Option<Self> {
-        let n = kernel.contacts();
-        // a given pressure has no equation of its own
-        let end = |i: usize| match orders[i] {
-            0 => 0.0,
-            orders => kernel.oscillations_vanish(i, half_lengths[i], turning(orders) / half_lengths[i], negligible),
-        };
-        let ends: Vec<f64> = (0..n).map(end).collect();
-        let coupled: Vec<f64> = half_lengths
-            .windows(2)
-            .enumerate()
-            .map(|(i, pair)| kernel.uncoupled(i, pair[0].min(pair[1]), negligible))
-            .collect();
-        let groups = groups(half_lengths, orders, &ends, &coupled);
-        let group_of = |i: usize| groups.iter().position(|group| group.contacts.contains(&i)).unwrap_or(0);
-        let mut layout = Self::empty(kernel, group_of);
-        let shared = |i: usize| group_of(i) == group_of(i + 1);
-        let plan = Plan {
-            kernel,
-            half_lengths,
-            reaches: (0..n).map(|i| groups[group_of(i)].from.min(ends[i])).collect(),
-            coupled: (0..n - 1)
-                .map(|i| if shared(i) { groups[group_of(i)].from.min(coupled[i]) } else { coupled[i] })
-                .collect(),
-            negligible,
-            span,
-            cut: false,
-        };
-        layout.real(&plan)?;
-        for group in &groups {
-            let reach = group.contacts.iter().map(|i| layout.wavenumbers_of(*i)).fold(0, usize::max);
-            for i in &group.contacts {
-                layout.own[*i].reach = reach;
-                layout.own[*i].unit.plain.resize(reach, 0.0);
-            }
-            let tail = if group.from.is_infinite() {
-                let i = group.contacts[0];
-                // kernels that never vanish
-                let rest = !kernel.asymptote(i).is_constant() && half_lengths[i] * ends[i] >= turning(orders[i]);
-                if rest { Tail::beyond(layout.twin, ends[i]) } else { Tail::default() }
-            } else {
-                let orders = group.contacts.iter().map(|i| orders[*i]).fold(0, usize::max);
-                let reaches = group.ends(kernel, &ends, &coupled);
-                let own = group.contacts.iter().map(|i| half_lengths[*i]);
-                let lengths = own.fold([f64::INFINITY, 0.0_f64], |[least, most], a| [least.min(a), most.max(a)]);
-                Tail::new(kernel, &group.contacts, lengths, orders, reaches)?
-            };
-            layout.extend(kernel, group, reach, tail);
-        }
-        let entries: usize = (0..n).map(|i| (layout.own[i].reach + layout.tail(i).rows()) * (orders[i] / 2 + 2)).sum();
-        (entries <= MOST_ENTRIES).then_some(layout)
-    }
-
-    /// Adds the tail of a group, the real wavenumbers of which are as many as `reach`.
-    fn extend(&mut self, kernel: &Kernel, group: &Group, reach: usize, tail: Tail) {
-        for i in &group.contacts {
-            tail.extend(&mut self.own[*i].unit, |zeta| kernel.remainder(*i, zeta));
-        }
-        for i in group.contacts.iter().skip(1).map(|below| below - 1) {
-            self.coupling[i].plain.resize(reach, 0.0);
-            tail.extend(&mut self.coupling[i], |zeta| -kernel.coupling(i, zeta));
-        }
-        self.tails.push(tail);
-    }
-
     /// Real wavenumbers for intervals, and where tails of their own begin, able to resolve fields out to `span` besides. Kernels that never vanish are
     /// cut off where they would take too many wavenumbers; `None` if there are too many all the same.
-    pub(crate) fn of_intervals(kernel: &Kernel, lengths: &Lengths, negligible: f64, span: f64) -> Option<Self> {
+    pub(crate) fn new(kernel: &Kernel, lengths: &Lengths, negligible: f64, span: f64) -> Option<Self> {
         let Lengths { ends, shortest, turned, exponentials } = lengths;
         let n = kernel.contacts();
         // two wavenumbers per wavelength
         let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
-        let mut layout = Self::empty(kernel, |_| 0);
-        layout.tails.push(Tail::default());
+        let mut layout = Self::empty(kernel);
         let coupled = |i: usize| {
             let shortest = shortest[i].min(shortest[i + 1]);
             kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
@@ -242,7 +118,6 @@ impl Layout {
             coupled: (0..n - 1).map(coupled).collect(),
             negligible,
             span,
-            cut: true,
         };
         layout.real(&plan)?;
         for i in 0..n {
@@ -251,54 +126,40 @@ impl Layout {
         Some(layout)
     }
 
-    /// Without wavenumbers; `tail_of` tells which of the tails belongs to a contact.
-    fn empty(kernel: &Kernel, tail_of: impl Fn(usize) -> usize) -> Self {
+    /// Without wavenumbers.
+    fn empty(kernel: &Kernel) -> Self {
         let n = kernel.contacts();
         let own = |i: usize| Own {
-            unit: Weights::for_some(USUAL),
+            unit: Vec::with_capacity(USUAL),
             reach: 0,
             limit: kernel.asymptote(i).limit,
             exponentials: Default::default(),
-            tail: tail_of(i),
         };
         Self {
             twin: Twin::of(kernel.geometry()),
             zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
-            coupling: (1..n).map(|_| Weights::for_some(USUAL)).collect(),
-            tails: Vec::new(),
+            coupling: (1..n).map(|_| Vec::with_capacity(USUAL)).collect(),
             tails_from: Vec::new(),
         }
-    }
-
-    /// Number of wavenumbers, the tails included.
-    pub(crate) fn nodes(&self) -> usize {
-        self.zeta.len() + self.tails.iter().map(|tail| tail.smooth.len() + tail.turned.len()).sum::<usize>()
-    }
-
-    /// The tail of contact i.
-    pub(crate) fn tail(&self, i: usize) -> &Tail {
-        &self.tails[self.own[i].tail]
     }
 
     /// How many real wavenumbers contact i needs.
     fn wavenumbers_of(&self, i: usize) -> usize {
         let couplings = self.coupling[i.saturating_sub(1)..(i + 1).min(self.coupling.len())].iter();
-        couplings.map(|weights| weights.plain.len()).fold(self.own[i].unit.plain.len(), usize::max)
+        couplings.map(|weights| weights.len()).fold(self.own[i].unit.len(), usize::max)
     }
 
     /// All real wavenumbers; `None` if they are too many.
     fn real(&mut self, plan: &Plan) -> Option<()> {
         let last = plan.coupled.iter().chain(&plan.reaches).copied().fold(0.0, f64::max);
-        // fields far away take more
-        let most = if plan.span > 0.0 || plan.cut { 2 * MOST_WAVENUMBERS } else { MOST_WAVENUMBERS };
         let mut part = Part::default();
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {
                 break;
             }
-            if self.zeta.len() > most {
+            if self.zeta.len() > 2 * MOST_WAVENUMBERS {
                 return None;
             }
             let panel = plan.kernel.panels.get(panel);
@@ -345,19 +206,19 @@ impl Layout {
     fn weigh(&mut self, plan: &Plan, values: Option<&Values>, part: &Part, [from, to]: [f64; 2]) {
         let (kernel, zeta, weights) = (plan.kernel, &self.zeta[part.first..], &part.weights);
         for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
-            let (far, start) = (kernel.asymptote(i), own.unit.plain.len());
+            let (far, start) = (kernel.asymptote(i), own.unit.len());
             match values {
                 Some(values) if from < far.from => {
                     let excess =
                         weights.iter().zip(values.equal_pressure(i)).map(|(weight, unit)| weight * (unit - far.limit));
-                    own.unit.plain.extend(excess);
+                    own.unit.extend(excess);
                 }
                 _ => {
                     let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.remainder(*zeta));
-                    own.unit.plain.extend(excess);
+                    own.unit.extend(excess);
                     let neighbours = i.saturating_sub(1)..(i + 1).min(kernel.contacts() - 1);
                     for coupling in neighbours.filter_map(|i| values.map(|values| values.coupling(i))) {
-                        let excess = own.unit.plain[start..].iter_mut().zip(weights.iter()).zip(coupling);
+                        let excess = own.unit[start..].iter_mut().zip(weights.iter()).zip(coupling);
                         excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
                     }
                 }
@@ -365,7 +226,7 @@ impl Layout {
             let (taken, taken_weights) = &mut own.exponentials;
             if !taken.is_empty() {
                 taken_weights.extend(weights.iter().zip(zeta).map(|(weight, zeta)| weight * sum_of(taken, *zeta)));
-                let excess = own.unit.plain[start..].iter_mut().zip(&taken_weights[start..]);
+                let excess = own.unit[start..].iter_mut().zip(&taken_weights[start..]);
                 excess.for_each(|(excess, taken)| *excess -= taken);
             }
         }
@@ -373,9 +234,9 @@ impl Layout {
             match values {
                 Some(values) => {
                     let both = weights.iter().zip(values.coupling(i));
-                    pair.plain.extend(both.map(|(weight, coupling)| -weight * coupling));
+                    pair.extend(both.map(|(weight, coupling)| -weight * coupling));
                 }
-                None => pair.plain.resize(pair.plain.len() + weights.len(), 0.0),
+                None => pair.resize(pair.len() + weights.len(), 0.0),
             }
         }
     }

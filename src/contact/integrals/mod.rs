@@ -1,5 +1,4 @@
 //! Integrals over the wavenumber of kernels times the transforms of pressures and tests.
-pub(crate) mod basis;
 pub(crate) mod columns;
 pub(crate) mod layout;
 pub(crate) mod products;

@@ -2,7 +2,6 @@
 use std::ops::Range;
 
 use faer::linalg::matmul::matmul;
-use faer::linalg::matmul::triangular::{self, BlockStructure};
 use faer::{Accum, MatMut, MatRef, Par};
 
 use crate::contact::integrals::columns::{ColumnRange, Columns};
@@ -24,26 +23,6 @@ pub(crate) fn product(left: ColumnRange<'_>, weights: &Weights, right: ColumnRan
     for_weighted(weights, right, |rows, right| {
         let left = left.matrix(rows.clone()).transpose();
         matmul(written(&mut product, count), Accum::Add, left, right, 1.0, Par::Seq);
-    });
-    product
-}
-
-/// columnsᵀ · weights · columns, its lower half at least.
-pub(crate) fn symmetric_product(columns: ColumnRange<'_>, weights: &Weights) -> Columns {
-    let count = columns.count();
-    let mut product = Columns::zeros(count, count);
-    for_weighted(weights, columns, |rows, right| {
-        triangular::matmul(
-            written(&mut product, count),
-            BlockStructure::TriangularLower,
-            Accum::Add,
-            columns.matrix(rows).transpose(),
-            BlockStructure::Rectangular,
-            right,
-            BlockStructure::Rectangular,
-            1.0,
-            Par::Seq,
-        );
     });
     product
 }

@@ -1,9 +1,8 @@
 //! Integrals beyond the turning points.
 //!
 //! Beyond a wavenumber R past the turning points, Ra > order, products of two modes split,
-//! J_k(ζa) J_j(ζa') = ½ Re(H_k H̄_j) + ½ Re(H_k H_j). The first part oscillates like a − a' only, the second decays in
-//! the upper half of the complex plane, where its path is turned. Contacts whose pressures are coupled far beyond
-//! R share the nodes of both.
+//! J_k(ζa) J_j(ζa) = ½ Re(H_k H̄_j) + ½ Re(H_k H_j). The first part does not oscillate, the second decays in
+//! the upper half of the complex plane, where its path is turned.
 use std::ops::Range;
 
 use num_complex::Complex64;
@@ -14,16 +13,12 @@ use crate::numeric::bessel::{self, Wanted};
 use crate::numeric::chebyshev::Series;
 use crate::numeric::quadrature::{LARGEST, laguerre_rule, rule};
 use crate::numeric::vector::vectorised;
+use crate::numeric::workspace::Workspace;
 
 /// Nodes whose Bessel functions are made together.
 pub(crate) const TOGETHER: usize = 512;
 /// Points on the path into the complex plane.
 const TURNED_POINTS: usize = 32;
-/// The turned path is laid for a contact this much longer than the shortest of those that share it: the points are those
-/// of functions e^(−s), and e^(−cs) with c between 0.83 and 2.5 is as good.
-const LAID_FOR: f64 = 1.2;
-/// Contacts that share a tail differ in length by this factor at most.
-pub(crate) const MOST_UNLIKE: f64 = 3.0;
 /// No admissible scene was seen to need more wavenumbers, nor more than half as many smooth nodes of tails. Twice as many: scenes whose
 /// contacts are thousands of thicknesses long take twice the time until they are solved to fewer digits.
 pub(crate) const MOST_WAVENUMBERS: usize = 16_000;
@@ -41,7 +36,7 @@ fn smooth_points(orders: usize, near: f64) -> usize {
     24 + (orders as f64 / 6.0 * near) as usize
 }
 
-/// Nodes beyond R of contacts that share them.
+/// Nodes beyond R.
 #[derive(Default)]
 pub(crate) struct Tail {
     /// Nodes of ½ Re(H_k H̄_j) = ½ (J J + Y Y).
@@ -58,34 +53,20 @@ pub(crate) struct Tail {
     from: f64,
 }
 
-/// Where a tail begins, and where what it consists of ends.
-#[derive(Clone, Copy)]
-pub(crate) struct Ends {
-    /// R.
-    pub(crate) from: f64,
-    /// Beyond this wavenumber contacts are not coupled.
-    pub(crate) coupled: f64,
-    /// Beyond this one kernels are nothing, or polynomials in 1/ζ next to graded faces.
-    pub(crate) to: f64,
-}
-
 impl Tail {
-    /// For contacts, or intervals of them, that have half-lengths between the `shortest` and the `longest`, and up to the given order.
+    /// For an interval of a contact, and Bessel functions up to the given order: beyond `to` the kernel is nothing, or a polynomial in 1/ζ next to a graded face. `None` if
+    /// that takes too many nodes.
     pub(crate) fn new(
-        kernel: &Kernel,
-        contacts: &[usize],
-        [shortest, longest]: [f64; 2],
+        (kernel, contact): (&Kernel, usize),
+        half_length: f64,
         orders: usize,
-        ends: Ends,
+        [from, to]: [f64; 2],
     ) -> Option<Self> {
-        let Ends { from, coupled, to } = ends;
         let twin = Twin::of(kernel.geometry());
         let mut tail = Self { from, ..Self::default() };
         let mut reached = from;
         for panel in kernel.panels.iter().filter(|panel| panel.to > from && panel.from < to) {
-            let apart = if reached < coupled { longest - shortest } else { 0.0 };
-            let phase = apart * (panel.to - reached);
-            let points = smooth_points(orders, from / reached) + (0.25 * phase + 3.0 * (0.5 * phase).cbrt()) as usize;
+            let points = smooth_points(orders, from / reached);
             if tail.smooth.len() + points > MOST_WAVENUMBERS / 2 {
                 return None;
             }
@@ -97,28 +78,20 @@ impl Tail {
             }
             reached = panel.to;
         }
-        if contacts.iter().any(|i| !kernel.asymptote(*i).is_constant()) {
+        if !kernel.asymptote(contact).is_constant() {
             // ζ = start/u
             let nodes = rule(smooth_points(orders, from / reached)).on(0.0, 1.0);
             tail.add(twin, nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));
         }
-        let laid_for = if contacts.len() > 1 { LAID_FOR * shortest } else { shortest };
         let laguerre = laguerre_rule(TURNED_POINTS);
         for (s, weight) in laguerre.nodes.iter().zip(&laguerre.weights) {
-            let zeta = Complex64::new(from, 0.5 * s / laid_for);
+            let zeta = Complex64::new(from, 0.5 * s / half_length);
             tail.turned.push(zeta);
             tail.lift.push(0.5 * s);
-            let weight = Complex64::new(0.0, 0.25 * weight / laid_for);
+            let weight = Complex64::new(0.0, 0.25 * weight / half_length);
             tail.turned_weights.push(if twin == Twin::Round { weight } else { weight / zeta });
         }
         Some(tail)
-    }
-
-    /// Beyond so short waves that their phases need not be told: what does not oscillate of a kernel that falls like 1/ζ.
-    pub(crate) fn beyond(twin: Twin, from: f64) -> Self {
-        let mut tail = Self { from, ..Self::default() };
-        tail.add(twin, rule(2).on(0.0, 1.0).map(|(u, weight)| (from / u, weight * from / (u * u))));
-        tail
     }
 
     fn add(&mut self, twin: Twin, nodes: impl Iterator<Item = (f64, f64)>) {
@@ -150,6 +123,7 @@ impl Tail {
     /// below `orders`, one column after the other.
     pub(crate) fn tabulate(
         &self,
+        workspace: &Workspace,
         (half_length, scale): (f64, f64),
         (wanted, orders): (Wanted, usize),
         (first, rows): (usize, usize),
@@ -160,7 +134,7 @@ impl Tail {
         for (start, some) in (0..).step_by(TOGETHER).zip(self.smooth.chunks(TOGETHER)) {
             let some: Vec<f64> = some.iter().map(|zeta| zeta * half_length).collect();
             let length = some.len();
-            let (mut j, mut y) = (vec![0.0; orders * length], vec![0.0; orders * length]);
+            let [mut j, mut y] = [0, 1].map(|_| workspace.take(orders * length));
             bessel::jy_table(wanted.kind(), orders, &some, &mut j, &mut y);
             for (&n, column) in wanted.of(&all).zip(values.chunks_exact_mut(rows)) {
                 for (place, values) in [(first + start, &j), (first + count + start, &y)] {
@@ -168,6 +142,7 @@ impl Tail {
                     column[place..place + length].iter_mut().zip(values).for_each(|(out, value)| *out = value * scale);
                 }
             }
+            [j, y].into_iter().for_each(|table| workspace.keep(table));
         }
         let paths: Vec<Complex64> = self.turned.iter().map(|zeta| zeta * half_length).collect();
         // what exp(−iz) H_n is multiplied by
@@ -207,29 +182,9 @@ pub(crate) struct Weights {
 }
 
 impl Weights {
-    /// None yet, with room for this number of real rows.
-    pub(crate) fn for_some(rows: usize) -> Self {
-        Self { plain: Vec::with_capacity(rows), turned: Vec::new() }
-    }
-
     /// Rows that they cover, the first of all.
     pub(crate) fn rows(&self) -> usize {
         self.plain.len() + 2 * self.turned.len()
-    }
-
-    /// Adds factor · weights · rows: the sum over the rows of that times another field is their integral.
-    pub(crate) fn add_times(&self, factor: f64, rows: &[f64], out: &mut [f64]) {
-        vectorised(
-            #[inline(always)]
-            || {
-                for ((out, weight), row) in out.iter_mut().zip(&self.plain).zip(rows) {
-                    *out += factor * weight * row;
-                }
-            },
-        );
-        if !self.turned.is_empty() {
-            self.add_turned(factor, &rows[self.plain.len()..], &mut out[self.plain.len()..]);
-        }
     }
 
     /// The rows that they cover: some real ones after the other, and last the turned path.
@@ -253,13 +208,6 @@ impl Weights {
                 }
             },
         );
-    }
-
-    /// Weights · rows over `count` rows, zero where they cover nothing.
-    pub(crate) fn over(&self, count: usize, rows: &[f64]) -> Vec<f64> {
-        let mut out = vec![0.0; count];
-        self.add_times(1.0, rows, &mut out);
-        out
     }
 
     /// Adds factor · weights · rows of the turned path.

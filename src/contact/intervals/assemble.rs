@@ -1,7 +1,7 @@
 //! The rows of the contact equations: what waves and half-planes do to all tests.
 //!
 //! The elastic energy of a laminate between two contacts with the transforms u and v of their pressures is a part of u², one of v², and one of (u − v)², in which no part is
-//! large for long waves unless u and v differ (see [`crate::contact::equations`]). So where two contacts have the same list of intervals, the unknowns of the lower one are
+//! large for long waves unless u and v differ. So where two contacts have the same list of intervals, the unknowns of the lower one are
 //! what it has more than the upper one: a laminate that bends easily takes no digits from what both have in common.
 use std::f64::consts::PI;
 use std::ops::Range;

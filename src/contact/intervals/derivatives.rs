@@ -9,7 +9,7 @@ use faer::linalg::solvers::Solve;
 use crate::contact::intervals::pressure;
 use crate::contact::intervals::support::{End, Intervals};
 use crate::contact::problem::accuracy::SLOW;
-use crate::contact::problem::support::longest;
+use crate::numeric::longest;
 
 /// Steps to both sides, in half-lengths, from which derivatives are found: where a thin layer lies between two contacts, intensities have large parts that grow with the square of a step, and
 /// drop out of the difference.

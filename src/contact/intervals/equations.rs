@@ -280,12 +280,12 @@ impl<'a> Equations<'a> {
 
     /// Weights of a coupling from a wavenumber on, as many as there are.
     pub(super) fn coupling(&self, laminate: usize, first: usize) -> &[f64] {
-        let weights = &self.layout.coupling[laminate].plain;
+        let weights = &self.layout.coupling[laminate];
         &weights[first.min(weights.len())..]
     }
 
     pub(super) fn own(&self, contact: usize, first: usize) -> &[f64] {
-        let weights = &self.layout.own[contact].unit.plain;
+        let weights = &self.layout.own[contact].unit;
         &weights[first.min(weights.len())..]
     }
 

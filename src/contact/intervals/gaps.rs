@@ -6,12 +6,12 @@ use num_complex::Complex64;
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
+use crate::contact::intervals::recontact::{Recontact, recontact};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::abel;
-use crate::contact::problem::accuracy::{COARSE, PLACES, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, ENDLESS, PLACES, SAFETY};
 use crate::contact::problem::twin::Twin;
-use crate::contact::quality::admissible::{Recontact, recontact};
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
@@ -31,6 +31,7 @@ pub(super) struct Signs {
 }
 
 /// Where a pressure or a gap is negative.
+#[derive(Debug)]
 pub(super) enum Fault {
     /// Inside an interval.
     Tension,
@@ -51,10 +52,16 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
     lengths.exponentials.iter_mut().for_each(Vec::clear);
     let span = problem.span(&lengths.ends);
-    let layout = Layout::of_intervals(problem.kernel, &lengths, negligible(FIELDS), span);
+    let layout = Layout::new(problem.kernel, &lengths, negligible(FIELDS), span);
     let layout = layout.ok_or(Fault::Unknown)?;
     let waves = self::waves(problem, level, &layout);
-    for contact in problem.unknown() {
+    // beyond a pressure that decays the gap is as small as the pressure
+    let unknown = level.unknown();
+    let decays = |contact: usize| {
+        let mut own = level.support.0.iter().zip(&unknown).filter(|(interval, _)| interval.contact == contact);
+        own.any(|(_, ends)| ends.contains(&ENDLESS))
+    };
+    for contact in problem.unknown().filter(|contact| !problem.sides[*contact].is_joined() && !decays(*contact)) {
         for beside in beside(problem, level.support.of(contact), contact, span) {
             let gaps = gaps(problem, level, &layout, &waves, contact, &beside);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
@@ -104,6 +111,10 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault>
         let extremes = |(least, most): (f64, f64), p: &f64| (least.min(*p), most.max(*p));
         let (least, most) = inside.iter().fold((0.0, 0.0), extremes);
         let contact = interval.contact;
+        if problem.sides[contact].is_joined() {
+            ends.push([0.0; 2]);
+            continue;
+        }
         means[contact] = means[contact].max(pressure.mean(interval));
         smallest[contact] = smallest[contact].min(least);
         if interval.is_even() {

@@ -7,7 +7,7 @@ use crate::contact::intervals::equations::{Equations, Places, Solved, fewer};
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
-use crate::contact::problem::support::longest;
+use crate::numeric::longest;
 
 /// How far the ends of a list may be from where they were, in half-lengths, for equations to be kept. Half or twice as far: solutions take as long.
 const NEAR: f64 = 0.02;

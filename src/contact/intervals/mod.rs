@@ -7,11 +7,14 @@ mod equations;
 mod errors;
 mod gaps;
 mod kept;
+mod left_out;
 mod local;
 mod newton;
 mod pressure;
+mod recontact;
 mod short_waves;
 mod space;
+mod steps;
 mod support;
 mod system;
 #[cfg(test)]
@@ -21,26 +24,23 @@ mod unknowns;
 mod waves;
 
 use crate::contact::answer::{Answer, Found};
-use crate::contact::ends::newton::{LAYOUT_SERVES, Work};
-use crate::contact::error::ContactError;
-use crate::contact::integrals::layout::{Layout, Lengths};
+use crate::contact::integrals::layout::Lengths;
 use crate::contact::integrals::tail::turning;
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY};
-use crate::contact::problem::iteration::Operations;
+use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, SAFETY};
+use crate::contact::problem::iteration::{Operations, Work};
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
 use crate::contact::programme::ActiveIntervals;
-use crate::contact::quality::answer;
-use crate::contact::quality::estimates::UNKNOWN;
-use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
+use gaps::Fault;
 use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
 pub(super) use support::Intervals;
 use support::{ContactInterval, Parity};
+pub(super) use topology::Refused;
 
 /// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
@@ -48,6 +48,11 @@ const FINEST: usize = 768;
 /// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
+/// Signs are looked at before there are more terms on an interval.
+const MANY: usize = 64;
+/// A layout serves lists whose ends differ by this much, relative.
+const LAYOUT_SERVES: f64 = 0.1;
+
 /// An interval to begin with, in units of L.
 pub(crate) struct Expected {
     pub(crate) contact: usize,
@@ -67,7 +72,7 @@ pub(super) fn solve(
     starts: &[Intervals],
     finer: &[usize],
     operations: &mut Operations,
-) -> Result<Answer, ContactError> {
+) -> Result<Answer, Refused> {
     let mut work = Work { operations: operations.clone(), ..Work::default() };
     let answer = topology::solve(problem, starts, finer, &mut work);
     *operations = work.operations;
@@ -78,7 +83,7 @@ pub(super) fn solve(
 pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {
     let of = |Expected { contact, punch, ends }: &Expected| {
         if problem.is_even() {
-            let corners = [problem.sides[*contact].is_flat(); 2];
+            let corners = [problem.sides[*contact].has_corners(); 2];
             let half = [ends[0].max(0.0), ends[1]];
             return (ends[1] > 0.0)
                 .then(|| ContactInterval::even(problem.twin(), *contact, half).with_corners(corners));
@@ -95,10 +100,14 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
     problem.unknown().all(is_there).then_some(start)
 }
 
-/// Lists where the quadratic programme sees contacts, if it sees any, all is even and in the plane.
+/// Lists where the quadratic programme sees contacts, if it sees any; about an axis none but discs.
 pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
-    if problem.twin() != Twin::Plane || active.is_empty() {
+    if active.is_empty() {
         return Vec::new();
+    }
+    let discs = starting_intervals(problem, active, |active| vec![[0.0, active.end()]]);
+    if problem.twin() == Twin::Round {
+        return discs.into_iter().collect();
     }
     // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
     let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
@@ -117,54 +126,57 @@ fn resolved(problem: &Problem, interval: &ContactInterval, finer: usize) -> usiz
     (count as usize).clamp(finer * COARSEST, finer * 4 * COARSEST).min(FINEST / 2)
 }
 
-/// Goes on from a first solution with more and more terms; `None` if that is no admissible answer, though intervals that carry next to nothing may be left out.
-fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut Work) -> Option<Answer> {
-    let mut counts = grown(&first, &Errors::of(&first), problem.tolerance);
-    first.support.equalise(&mut counts);
-    let (mut before, mut stalls) = (first, false);
-    let mut best: Option<(Errors, Approximation)> = None;
-    let enough = ROUNDING.max(MINOR * problem.tolerance);
-    while let Ok(level) = converge(problem, before.support.clone(), Some(&before), &counts, enough, work) {
-        let errors = Errors::of(&level);
-        // more terms do not help against what is due to something else
-        let is_done = errors.worst() <= problem.tolerance.max(2.0 * errors.floor);
+/// Goes on from a first solution with more and more terms, though intervals that carry next to nothing may be left out. Signs are looked at once terms would be many, and in the end.
+///
+/// # Errors
+/// What is wrong with the signs, if that is seen at the first look; nothing if there is no answer for another reason.
+fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut Work) -> Result<Answer, Option<Fault>> {
+    let (mut is_seen, mut is_first) = (false, true);
+    let tolerance = problem.tolerance.max(BEST);
+    let enough = ROUNDING.max(MINOR * tolerance);
+    let (mut last, mut best, mut stalls) = (first, None::<(Errors, Approximation)>, false);
+    loop {
+        let errors = Errors::of(&last);
+        // more terms do not help against what is due to something else; kernels and ends of the first solution have few digits
+        let is_few = std::mem::take(&mut is_first) && tolerance < COARSE;
+        let is_done = !is_few && errors.worst() <= tolerance.max(2.0 * errors.floor);
+        let mut counts = grown(&last, &errors, tolerance);
+        last.support.equalise(&mut counts);
+        let is_finest = !is_few && counts == last.counts;
         let is_better = best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
-        let mut next = grown(&level, &errors, problem.tolerance);
-        level.support.equalise(&mut next);
-        let is_finest = next == level.counts;
-        before = level.clone();
         if is_better {
-            best = Some((errors, level));
+            best = Some((errors, last.clone()));
         }
         // one change may be small by chance
         if is_done || is_finest || !is_better && stalls {
             break;
         }
-        (stalls, counts) = (!is_better, next);
+        stalls = !is_better;
+        if !is_seen && counts.iter().any(|count| *count > MANY) {
+            gaps::check(problem, &last, COARSE, leaves_out).map_err(Some)?;
+            is_seen = true;
+        }
+        match converge(problem, last.support.clone(), Some(&last), &counts, enough, work) {
+            Ok(level) => last = level,
+            Err(_) => break,
+        }
     }
-    let (mut errors, mut level) = best?;
+    let (mut errors, mut level) = best.ok_or(None)?;
     level.local = local::locals(problem, &level.support, &level.solved, |_| 4 * FINEST);
     let middle = level.middle_pressures(&level.solved.pressures);
     for (k, error) in errors.pressures.iter_mut().enumerate() {
         *error += SAFETY * level.local[k].error / level.largest_pressure(level.support.0[k].contact, &middle);
     }
     // what still changes so much is not known to be near its limit
-    if errors.worst().is_nan() || errors.worst() > UNKNOWN {
-        return None;
+    if !errors.are_known() {
+        return Err(None);
     }
     let mut warnings = Vec::new();
-    if errors.worst() > problem.tolerance {
-        let message = format!(
-            "the tolerance {:e} is not met with {} pressures on each interval of contacts of several intervals; the error estimates tell \
-             what was reached",
-            problem.tolerance,
-            level.counts.iter().copied().fold(0, usize::max)
-        );
-        warnings.push(Warning::new(WarningCode::ToleranceNotMet, message));
-    }
-    let signs = gaps::check(problem, &level, errors.worst(), leaves_out).ok()?;
+    warnings.extend(precision(problem.tolerance, errors.worst(), level.counts.iter().copied().max().unwrap_or(0)));
+    let signs =
+        gaps::check(problem, &level, errors.worst(), leaves_out).map_err(|fault| Some(fault).filter(|_| !is_seen))?;
     errors.admit(&level, &signs);
-    warnings.extend(signs.recontacts.iter().map(|recontact| answer::recontact(problem, recontact)));
+    warnings.extend(signs.recontacts.iter().map(|recontact| recontact.warning(problem)));
     warnings.extend(problem.unknown().filter_map(|contact| errors.unknown_end(problem, &level.support, contact)));
     let terms = |contact| {
         (0..level.counts.len()).filter(|k| level.support.0[*k].contact == contact).map(|k| level.counts[k]).max()
@@ -172,11 +184,27 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
     let stats = Stats {
         modes: (0..problem.contacts()).map(|contact| terms(contact).unwrap_or(1)).collect(),
         newton_steps: work.steps.clone(),
+        interpolated: work.interpolated,
+        factorisations: work.factorisations,
         ..problem.kernel.stats()
     };
     let contacts = found(problem, &level, &errors);
     let (min_pressure, min_gap) = (signs.min_pressure, signs.min_gap);
-    Some(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
+    Ok(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
+}
+
+/// What is to be said of a tolerance that is not met, or beyond double precision.
+fn precision(tolerance: f64, error: f64, terms: usize) -> Option<Warning> {
+    if error > tolerance.max(BEST) {
+        let message = format!(
+            "the tolerance {tolerance:e} is not met with {terms} modes; the error estimates tell what was reached"
+        );
+        return Some(Warning::new(WarningCode::ToleranceNotMet, message));
+    }
+    let message = || {
+        format!("a tolerance of {tolerance:e} is beyond double precision; the error estimates tell what was reached")
+    };
+    (tolerance < BEST).then(|| Warning::new(WarningCode::BeyondDoublePrecision, message()))
 }
 
 /// As many terms on each interval as are expected to meet a tolerance: errors are due to intervals as their last terms are large.
@@ -209,12 +237,13 @@ fn starting_intervals(
             let [[0.0, to]] = &mut parts[..] else { return None };
             *to = edge;
         }
-        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite()) {
+        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite() || part[1] <= part[0]) {
             return None;
         }
         let corners = [problem.sides[contact].is_flat(); 2];
-        intervals
-            .extend(parts.iter().map(|part| ContactInterval::even(Twin::Plane, contact, *part).with_corners(corners)));
+        intervals.extend(
+            parts.iter().map(|part| ContactInterval::even(problem.twin(), contact, *part).with_corners(corners)),
+        );
     }
     Some(Intervals(intervals))
 }
@@ -256,15 +285,6 @@ impl Lengths {
     fn are_near(&self, about: &[f64]) -> bool {
         self.ends.iter().zip(about).all(|(a, b)| (a / b - 1.0).abs() < LAYOUT_SERVES)
     }
-}
-
-/// What is left of the kernel of a contact where its integrals end, relative to its limit, over the wavenumber there.
-fn left_out(kernel: &Kernel, layout: &Layout, i: usize, shortest: f64, negligible: f64) -> f64 {
-    let end = layout.zeta[..layout.own[i].reach].last().copied().unwrap_or(0.0);
-    if layout.tails_from[i].is_finite() || kernel.vanishes(i, shortest, negligible) <= end {
-        return 0.0;
-    }
-    (kernel.remainder(i, end) / kernel.asymptote(i).limit).abs() / end
 }
 
 impl Approximation {
@@ -339,8 +359,12 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
             let is_corner = |k: usize| interval.corners[k] && (k > 0 || !interval.is_even());
             let places = [0, 1].map(|k| corner(k).filter(|_| is_corner(k)).unwrap_or(places[k]));
             let rounding = |k: usize| f64::EPSILON * places[k].abs();
-            let error =
-                |k: usize| if interval.corners[k] { 0.0 } else { errors.ends[number][k] * sizes[k] + rounding(k) };
+            let error = |k: usize| match interval.corners[k] {
+                true => 0.0,
+                // of an end that is not found no more than all
+                false if errors.ends[number][k] >= ENDLESS => sizes[k],
+                false => errors.ends[number][k] * sizes[k] + rounding(k),
+            };
             let [from, to] = [0, 1].map(|k| [places[k], error(k)]);
             solution::Interval::new(from, to)
         });

@@ -1,29 +1,24 @@
 //! The ends of all intervals at which no pressure is singular.
 use std::rc::Rc;
 
-use crate::contact::ends::newton::Work;
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::derivatives::Derivatives;
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::kept::Kept;
+use crate::contact::intervals::left_out::left_out;
 use crate::contact::intervals::local::{Local, locals};
 use crate::contact::intervals::pressure::Pressure;
+use crate::contact::intervals::steps::{Look, looks, moved};
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{MINOR, SLOW};
-use crate::contact::problem::iteration::Progress;
+use crate::contact::problem::accuracy::{ENDLESS, MINOR, SLOW};
+use crate::contact::problem::iteration::{Progress, Work};
 use crate::numeric::largest;
 
-/// Most of the way to the next interval that an end goes in one step.
-const MOST_OUT: f64 = 0.4;
 /// Steps at most.
 const MOST_STEPS: usize = 40;
-/// An end that would take a longer step, in half-lengths, from next to no singularity need not be known.
-const SHORT: f64 = 0.1;
 /// Intervals that both grow into a gap shorter than this part of the shorter one are one.
 pub(super) const TOGETHER: f64 = 0.03;
-/// An end with a weaker singularity, in units of the mean pressure, need not be known.
-const WEAK: f64 = 1e-9;
 
 /// Terms of a pressure on a half-plane under a punch that is not smooth, for each unknown term.
 const LOCAL: usize = 16;
@@ -42,8 +37,9 @@ pub(super) struct Approximation {
     pub(super) coarser: [Vec<Pressure>; 2],
     /// Factorised equations of nearly the same list, if they have the same unknowns.
     kept: Option<Rc<Kept>>,
-    /// What steps have left, in half-lengths.
+    /// What steps have left, in half-lengths, and how much of that another one would leave.
     pub(super) left: f64,
+    rate: f64,
     /// Whether that is rounding.
     pub(super) is_rounding: bool,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
@@ -55,6 +51,33 @@ pub(super) struct Approximation {
 }
 
 impl Approximation {
+    /// With ends that have taken their last steps, and pressures to first order in these; `None` if intervals vanish.
+    fn moved(self, problem: &Problem, layout: &Layout, looks: &[Look]) -> Option<Self> {
+        let step = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step };
+        let steps: Vec<f64> = looks.iter().map(step).collect();
+        let support = moved(problem, &self.support, &steps)?;
+        // where an end has moved no pressure is singular but for what fewer terms make
+        let mut all = steps.iter().zip(looks).map(|(step, look)| if *step == 0.0 { 0.0 } else { look.q });
+        let taken: Vec<Vec<f64>> =
+            support.0.iter().map(|interval| all.by_ref().take(interval.sides().len()).collect()).collect();
+        let on = |pressures: Vec<Pressure>| -> Vec<Pressure> {
+            let places = self.support.0.iter().zip(&support.0).zip(&taken);
+            let of = |(pressure, ((before, after), taken)): (
+                Pressure,
+                ((&ContactInterval, &ContactInterval), &Vec<f64>),
+            )| {
+                let mut own = pressure.on(before, after);
+                own.singular.iter_mut().zip(taken).for_each(|(own, taken)| *own -= taken);
+                own
+            };
+            pressures.into_iter().zip(places).map(of).collect()
+        };
+        let solved = Solved { pressures: on(self.solved.pressures), ..self.solved };
+        let coarser = self.coarser.map(on);
+        let regular = regular(&Equations::new(problem, layout, &support, &self.counts), &support, &solved);
+        Some(Self { solved, regular, coarser, support, ..self })
+    }
+
     /// With two thirds of the terms between the same ends.
     pub(super) fn coarse(&self) -> Self {
         let solved = Solved { pressures: self.coarser[0].clone(), ..self.solved.clone() };
@@ -73,12 +96,14 @@ impl Approximation {
         (0..own.len()).map(of).collect()
     }
 
-    /// By how much farther out pressures would put the ends of each interval, in half-lengths, on which next to nothing depends; nothing for others.
+    /// By how much farther out pressures would put the ends of each interval, in half-lengths, on which next to nothing depends; nothing for others. Where a pressure decays
+    /// outwards no end is found.
     pub(super) fn unknown(&self) -> Vec<[f64; 2]> {
         let looks = looks(&self.support, &self.solved.pressures);
         let mut unknown = vec![[0.0; 2]; self.support.0.len()];
         for (end, look) in self.support.ends().into_iter().zip(looks).filter(|(_, look)| look.is_weak(look.step)) {
-            unknown[end.interval][usize::from(end.side > 0.0)] = look.step.abs();
+            let step = if look.q > 0.0 { ENDLESS } else { look.step.abs() };
+            unknown[end.interval][usize::from(end.side > 0.0)] = step;
         }
         unknown
     }
@@ -93,21 +118,6 @@ pub(super) enum Failure {
     Stuck(Intervals),
 }
 
-/// What the pressure says of one end.
-struct Look {
-    /// The intensity of the singular pressure there.
-    q: f64,
-    /// The step outwards, in half-lengths.
-    step: f64,
-}
-
-impl Look {
-    /// Whether next to nothing depends on the end, however long this step of it.
-    fn is_weak(&self, step: f64) -> bool {
-        self.q.abs() < WEAK && step.abs() > SHORT
-    }
-}
-
 /// Moves ends until no pressure is singular and what steps leave is `enough`, or less than missing terms do, from the ends and pressures of a solution with
 /// fewer terms if there is one.
 pub(super) fn converge(
@@ -118,9 +128,15 @@ pub(super) fn converge(
     enough: f64,
     work: &mut Work,
 ) -> Result<Approximation, Failure> {
-    let negligible = negligible(problem.tolerance);
+    // kernels need no more digits than ends and pressures are to have
+    let least = negligible(problem.tolerance);
+    let negligible = least.max(1e-3 * enough);
     let mut laid_out: Option<(Layout, Vec<f64>)> = None;
     let mut newton = Newton::new(before, counts, enough);
+    // a pressure that is not smooth is not known on other intervals
+    let is_smooth = support.0.iter().all(|ContactInterval { contact, punch, .. }| {
+        !problem.sides[*contact].is_kinked(*punch) && problem.tip(*contact, *punch).is_none()
+    });
     work.steps.push(0);
     loop {
         let stuck = || Failure::Stuck(support.clone());
@@ -128,8 +144,9 @@ pub(super) fn converge(
         let (layout, about) = match laid_out.take().filter(|(_, about)| lengths.are_near(about)) {
             Some(laid_out) => laid_out,
             None => {
-                let layout = Layout::of_intervals(problem.kernel, &lengths, negligible, 0.0);
-                (layout.ok_or_else(stuck)?, lengths.ends.clone())
+                let layout = Layout::new(problem.kernel, &lengths, negligible, 0.0).ok_or_else(stuck)?;
+                work.interpolated += layout.zeta.len();
+                (layout, lengths.ends.clone())
             }
         };
         work.step();
@@ -139,12 +156,18 @@ pub(super) fn converge(
         if let Some(changed) = changed(&support, &solved.pressures) {
             return Err(Failure::Changed(changed));
         }
+        newton.rate = match newton.progress.last.is_finite() {
+            _ if !is_smooth => 1.0,
+            true => newton.left / newton.progress.last,
+            false => newton.rate,
+        };
         if newton.is_converged(&support, &solved.pressures) {
             let mut level = newton.approximation(&equations, &support, solved.clone()).ok_or_else(stuck)?;
             if newton.is_enough(&level) {
-                let left_out = |i: usize| super::left_out(problem.kernel, &layout, i, lengths.shortest[i], negligible);
-                level.left_out = (0..problem.contacts()).map(left_out).collect();
-                return Ok(level);
+                let solution = (&level.support, &level.solved.pressures[..]);
+                level.left_out = left_out(problem, &layout, &lengths.shortest, least, solution);
+                let level = if is_smooth { level.moved(problem, &layout, &looks) } else { Some(level) };
+                return level.ok_or_else(stuck);
             }
         }
         if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
@@ -179,6 +202,8 @@ struct Newton<'a> {
     /// The longest of the steps of ends that are to be taken, and what these and changes of terms leave.
     farthest: f64,
     left: f64,
+    /// How much of that a step leaves, from the last two lists, or from the solution with fewer terms.
+    rate: f64,
     progress: Progress,
     derivatives: Derivatives,
 }
@@ -195,6 +220,7 @@ impl<'a> Newton<'a> {
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
             farthest: 0.0,
             left: f64::INFINITY,
+            rate: before.map_or(1.0, |before| before.rate),
             progress: Progress::default(),
             derivatives: Derivatives::default(),
         }
@@ -220,17 +246,21 @@ impl<'a> Newton<'a> {
                     break;
                 };
                 let looks = self.look(support, &solved, changed_by);
-                if self.left <= self.farthest.max(self.enough) && self.left <= SLOW * self.progress.last {
+                // corrections between the same ends cost little, and steps leave no less than their square
+                let leads_on = changed_by <= SLOW * changed;
+                let is_exact = MINOR * changed_by <= self.farthest.powi(2).max(self.enough);
+                let is_no_worse = self.left <= self.farthest.max(self.enough) && self.left <= SLOW * self.progress.last;
+                if is_no_worse && (is_exact || !leads_on) {
                     return Some((solved, looks));
                 }
-                // terms that miss more than ends do are corrected again between the same ends, if that leads on
-                if self.left <= self.farthest || changed_by > SLOW * changed {
+                if !leads_on || is_exact {
                     break;
                 }
                 (expected, changed) = (solved, changed_by);
             }
         }
         work.operations.spend(anew)?;
+        work.factorisations += 1;
         let (kept, solved) = Kept::new(equations, support, self.counts)?;
         (self.kept, self.is_own) = (Some(Rc::new(kept)), true);
         let looks = self.look(support, &solved, 0.0);
@@ -257,30 +287,35 @@ impl<'a> Newton<'a> {
         let aim = *self.aim.get_or_insert_with(|| MINOR * MINOR * missing(support, pressures));
         // intervals that overlap, as they may to begin with, are moved apart
         let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
-        are_apart && (self.left < aim.max(self.enough) || self.is_rounding())
+        are_apart && (self.leaves() < aim.max(self.enough) || self.is_rounding())
     }
 
     /// Whether steps leave less than missing terms do.
     fn is_enough(&mut self, level: &Approximation) -> bool {
         let aim = MINOR * largest(level.moves().into_iter().map(|[last, _]| last.abs()));
         self.aim = Some(aim);
-        self.left < aim.max(self.enough) || self.is_rounding()
+        self.leaves() < aim.max(self.enough) || self.is_rounding()
+    }
+
+    /// What is left once the ends have taken their steps.
+    fn leaves(&self) -> f64 {
+        self.left * self.rate.min(1.0)
     }
 
     fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
         let kept = self.kept.as_ref()?;
         let coarser = kept.with_fewer(equations, &solved, self.counts)?;
-        let (kernel, places) = (equations.problem.kernel, equations.places());
-        let regular = equations.unknowns(&places, &solved.regular(support));
+        let kernel = equations.problem.kernel;
         Some(Approximation {
-            regular: equations.solved(&places, &regular, self.counts).pressures,
+            regular: regular(equations, support, &solved),
             support: support.clone(),
             counts: self.counts.to_vec(),
             local: locals(equations.problem, support, &solved, |number| LOCAL * self.counts[number]),
             solved,
             coarser,
             kept: self.kept.clone(),
-            left: self.left,
+            left: self.leaves(),
+            rate: self.rate,
             is_rounding: self.is_rounding(),
             left_out: Vec::new(),
             graded: (0..equations.columns.len()).map(|i| !kernel.asymptote(i).is_constant()).collect(),
@@ -316,6 +351,14 @@ impl<'a> Newton<'a> {
     fn take(&mut self, (support, solved): (Intervals, Solved)) {
         self.last = Some((support, solved));
     }
+}
+
+/// Pressures without what is singular at ends that are found, with all resultants and moments.
+fn regular(equations: &Equations, support: &Intervals, solved: &Solved) -> Vec<Pressure> {
+    let places = equations.places();
+    let unknowns = equations.unknowns(&places, &solved.regular(support));
+    let counts: Vec<usize> = solved.pressures.iter().map(|pressure| pressure.terms.len()).collect();
+    equations.solved(&places, &unknowns, &counts).pressures
 }
 
 /// How large the last third of the terms is, as a part of all of an interval.
@@ -382,54 +425,4 @@ fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
         own.between([0.0, own.to()]).with_corners([own.corners[1]; 2])
     };
     Some(Intervals(merged))
-}
-
-/// Takes steps, none longer than allowed; `None` if intervals vanish. An end that reaches the corner of a flat punch stays there, one that leaves it
-/// does not.
-fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Option<Intervals> {
-    let mut corners: Vec<[bool; 2]> = support.0.iter().map(|interval| interval.corners).collect();
-    let mut limited = Vec::with_capacity(steps.len());
-    for (end, step) in support.ends().into_iter().zip(steps) {
-        if *step == 0.0 {
-            limited.push(0.0);
-            continue;
-        }
-        let interval = &support.0[end.interval];
-        let outwards = (step * interval.half).min(MOST_OUT * support.gap(end));
-        let place = support.place(end);
-        // next to the tip of a wedge the intensity changes as the square root of the distance from there: Newton's method for that root
-        let beyond = problem.tip(interval.contact, interval.punch).map_or(0.0, |(at, _)| end.side * (place - at));
-        let outwards = if (-2.0 * beyond..0.0).contains(&outwards) {
-            outwards * (1.0 + 0.25 * outwards / beyond)
-        } else {
-            outwards
-        };
-        let side = &problem.sides[interval.contact];
-        let after = place + end.side * outwards;
-        let at_corner = &mut corners[end.interval][usize::from(end.side > 0.0)];
-        limited.push(match problem.placed(interval.contact, interval.punch) {
-            Some(punch) => {
-                let corner = punch.corner(end.side).filter(|corner| end.side * (after - corner) >= 0.0);
-                *at_corner = corner.is_some();
-                end.side * (corner.unwrap_or_else(|| punch.within(place, after)) - place)
-            }
-            None if end.side > 0.0 => side.within(place, after) - place,
-            None => outwards,
-        });
-    }
-    let mut moved = support.moved(&limited);
-    moved.0.iter_mut().zip(corners).for_each(|(interval, corners)| interval.corners = corners);
-    moved.0.iter().all(|interval| interval.half > 0.0 && interval.half.is_finite()).then_some(moved)
-}
-
-/// What pressures say of all ends; those at corners are where they are unless bodies pull there, where nothing is even.
-fn looks(support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
-    let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
-        let of = |(side, q): (&f64, &f64)| match interval.is_corner(*side) && (*q >= 0.0 || interval.is_even()) {
-            true => Look { q: 0.0, step: 0.0 },
-            false => Look { q: *q, step: pressure.step(interval, *side, *q) },
-        };
-        interval.sides().iter().zip(&pressure.singular).map(of).collect()
-    };
-    support.0.iter().zip(pressures).flat_map(of).collect()
 }

@@ -5,9 +5,10 @@ use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::{COARSE, MINOR, PER_MODE};
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::twin::Twin;
-use crate::contact::quality::estimates::AVERAGED;
 use crate::solution::{Strip, tip_coefficient};
 
+/// What the last terms of an alternating sum count if its partial sums are averaged six times, term by term.
+const AVERAGED: [f64; 6] = [63.0 / 64.0, 57.0 / 64.0, 42.0 / 64.0, 22.0 / 64.0, 7.0 / 64.0, 1.0 / 64.0];
 /// Where the pressure is negative up to so far from an end, in half-lengths, it says where the contact ends.
 const TENSION: f64 = 0.13;
 /// The longest steps of an end outwards and inwards, in half-lengths.

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::products::product;
-use crate::contact::integrals::tail::{Ends, Tail, Weights};
+use crate::contact::integrals::tail::{Tail, Weights};
 use crate::contact::intervals::columns::{Columns, Other};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::ContactInterval;
@@ -37,8 +37,7 @@ impl Columns<'_> {
             weights.plain.extend(taken);
             let mut tail = Tail::default();
             if from.is_finite() {
-                let ends = Ends { from, coupled: 0.0, to: kernel.is_smooth_from(contact) };
-                tail = Tail::new(kernel, &[contact], [interval.half; 2], orders, ends)?;
+                tail = Tail::new((kernel, contact), interval.half, orders, [from, kernel.is_smooth_from(contact)])?;
                 tail.extend(&mut weights, |zeta| kernel.remainder(contact, zeta));
             }
             let table = table(kernel, &layout.zeta[..taken.len()], &tail, interval, orders);
@@ -129,7 +128,7 @@ fn table(kernel: &Kernel, real: &[f64], tail: &Tail, interval: &ContactInterval,
     let mut table = Table::new(rows, count + 2, &kernel.workspace);
     let arguments: Vec<f64> = real.iter().map(|zeta| zeta * half).collect();
     bessel::scaled_orders(orders, wanted, &arguments, 1.0, rows, &mut table.values);
-    tail.tabulate((half, 1.0), (wanted, orders), (first, rows), &mut table.values);
+    tail.tabulate(&kernel.workspace, (half, 1.0), (wanted, orders), (first, rows), &mut table.values);
     for order in 0..2 {
         let [column, into] = table.two_mut(order, count + order);
         into.copy_from_slice(column);

@@ -262,20 +262,16 @@ fn root(s: Complex64) -> Complex64 {
 
 /// ∫ f' cos kφ dφ of the slope f' of a punch over an interval, for the k of its terms, and first for k = 0 beside x = 0; none between layers.
 pub(super) fn tests(side: &Side, interval: &ContactInterval, count: usize) -> Vec<f64> {
-    let value = |[value, _]: [f64; 2]| value;
     match side {
         Side::Punches(all) => all
             .get(interval.punch)
             .map(|punch| punch.rows(interval.middle, interval.half, count + 1))
             .unwrap_or_default(),
         Side::Profile(profile) if interval.is_even() => {
-            let rows = profile.rows(Span::even(interval.half), count).rows.into_iter();
-            rows.map(value).enumerate().map(|(m, value)| alternating(m) * value).collect()
+            let rows = profile.rows(Span::even(interval.half), count).into_iter();
+            rows.enumerate().map(|(m, value)| alternating(m) * value).collect()
         }
-        Side::Profile(profile) => {
-            let rows = profile.rows(Span::anywhere(interval.middle, interval.half), count + 1).rows;
-            rows.into_iter().map(value).collect()
-        }
+        Side::Profile(profile) => profile.rows(Span::anywhere(interval.middle, interval.half), count + 1),
         _ => Vec::new(),
     }
 }

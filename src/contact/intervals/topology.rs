@@ -2,14 +2,14 @@
 use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
-use crate::contact::ends::newton::Work;
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::intervals::gaps::{self, Fault};
+use crate::contact::intervals::gaps::Fault;
 use crate::contact::intervals::newton::{Approximation, Failure, TOGETHER, converge};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::intervals::{refine, resolved};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
+use crate::contact::problem::iteration::Work;
 use crate::contact::problem::twin::Twin;
 
 /// Changes of the list at most.
@@ -20,41 +20,59 @@ const FINER: usize = 16;
 /// Presses punches or loads, from lists of intervals where contacts may be, one after the other, with the usual number of terms times each of `finer`.
 ///
 /// # Errors
-/// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together, else [`NoSolution::NotConverged`], if no list of intervals was
+/// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together, else nothing, if no list of intervals was
 /// found without tension and penetration.
 pub(super) fn solve(
     problem: &Problem,
     starts: &[Intervals],
     finer: &[usize],
     work: &mut Work,
-) -> Result<Answer, ContactError> {
-    let mut failure = None;
+) -> Result<Answer, Refused> {
+    let mut refused = Refused::default();
     for finer in finer.iter().copied() {
         for start in starts {
             work.operations.start();
-            match follow(problem, start.clone(), finer, work) {
+            match follow(problem, start.clone(), finer, work, &mut refused.far) {
                 Ok(answer) => return Ok(answer),
-                Err(last) => failure = failure.or_else(|| outgrown(problem, &last.0)),
+                Err(last) => refused.reason = refused.reason.or_else(|| outgrown(problem, &last.0)),
             }
         }
     }
-    Err(failure.unwrap_or_else(|| NoSolution::NotConverged.into()))
+    Err(refused)
+}
+
+/// Why lists of intervals lead to no answer.
+#[derive(Debug, Default)]
+pub(crate) struct Refused {
+    /// The reason, if one is known.
+    pub(crate) reason: Option<ContactError>,
+    /// How far from x = 0 bodies were seen to penetrate each other.
+    pub(crate) far: f64,
 }
 
 /// Changes a list of intervals until it is an answer, with the usual number of terms times `finer`, or leaves intervals out that carry next to nothing; the last list if
 /// it does not become one.
-fn follow(problem: &Problem, support: Intervals, finer: usize, work: &mut Work) -> Result<Answer, Intervals> {
+fn follow(
+    problem: &Problem,
+    support: Intervals,
+    finer: usize,
+    work: &mut Work,
+    far: &mut f64,
+) -> Result<Answer, Intervals> {
     let mut penetrating = None;
-    changed(problem, support, finer, &mut penetrating, work)
-        .or_else(|last| penetrating.and_then(|level| refine(problem, level, true, work)).ok_or(last))
+    changed(problem, support, finer, &mut penetrating, work).or_else(|last| {
+        let Some((level, at)) = penetrating else { return Err(last) };
+        *far = far.max(at.abs());
+        refine(problem, level, true, work).map_err(|_| last)
+    })
 }
 
-/// The same without leaving any out, and the first solution in which bodies penetrate each other.
+/// The same without leaving any out, and the first solution in which bodies penetrate each other, and where.
 fn changed(
     problem: &Problem,
     mut support: Intervals,
     mut finer: usize,
-    penetrating: &mut Option<Approximation>,
+    penetrating: &mut Option<(Approximation, f64)>,
     work: &mut Work,
 ) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
@@ -63,20 +81,26 @@ fn changed(
             break;
         }
         work.steps.clear();
-        let mut counts: Vec<usize> = support.0.iter().map(|interval| resolved(problem, interval, finer)).collect();
+        let of = |finer: usize| support.0.iter().map(|interval| resolved(problem, interval, finer)).collect();
+        let (mut counts, most): (Vec<usize>, Vec<usize>) = (of(finer), of(FINER));
+        // the list is not changed for what more terms may mend
+        let may_grow = finer < FINER && counts != most;
         support.equalise(&mut counts);
         support = match converge(problem, support, None, &counts, COARSE, work) {
-            Ok(level) => match tension(&level) {
-                Tension::Split(split) => split,
-                // the list is not changed for what more terms may mend
-                Tension::Unresolved if finer < FINER => {
+            Ok(level) => match tension(problem, &level) {
+                Tension::Split(split) if !may_grow => split,
+                Tension::Split(_) | Tension::Unresolved if finer < FINER => {
                     finer *= 2;
                     level.support
                 }
                 _ => match checked(problem, &level, work) {
                     Ok(answer) => return Ok(answer),
-                    Err(Some(next)) => {
-                        penetrating.get_or_insert(level);
+                    Err(Some(_)) if may_grow => {
+                        finer *= 2;
+                        level.support
+                    }
+                    Err(Some((next, at))) => {
+                        penetrating.get_or_insert((level, at));
                         next
                     }
                     Err(None) => return Err(level.support),
@@ -103,15 +127,14 @@ fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactE
     too_small.or_else(|| intervals.windows(2).find_map(meet))
 }
 
-/// The answer, or a list that is nearer to it, if there is one.
-fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<Intervals>> {
-    match gaps::check(problem, level, COARSE, false) {
-        Ok(_) => refine(problem, level.clone(), false, work).ok_or(None),
-        Err(Fault::Penetration { contact, punch, at, over }) => {
-            Err(Some(with_interval(&level.support, (contact, punch), at, over)))
+/// The answer, or a list that is nearer to it, if there is one, with the place where bodies penetrate each other.
+fn checked(problem: &Problem, level: &Approximation, work: &mut Work) -> Result<Answer, Option<(Intervals, f64)>> {
+    refine(problem, level.clone(), false, work).map_err(|fault| match fault {
+        Some(Fault::Penetration { contact, punch, at, over }) => {
+            Some((with_interval(&level.support, (contact, punch), at, over), at))
         }
-        Err(Fault::Tension | Fault::Unknown) => Err(None),
-    }
+        Some(Fault::Tension | Fault::Unknown) | None => None,
+    })
 }
 
 /// What is done about tension within intervals.
@@ -124,10 +147,12 @@ enum Tension {
 }
 
 /// Looks for negative pressures, and whether fewer terms have them, too.
-fn tension(level: &Approximation) -> Tension {
+fn tension(problem: &Problem, level: &Approximation) -> Tension {
     let mut found = Tension::None;
-    let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0]);
-    for (number, ((interval, pressure), coarser)) in all.enumerate() {
+    let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0]).enumerate();
+    for (number, ((interval, pressure), coarser)) in
+        all.filter(|(_, ((interval, _), _))| !problem.sides[interval.contact].is_joined())
+    {
         let places = pressure.places(interval);
         let [own, coarser] = [pressure, coarser].map(|pressure| pressure.regular(interval).inside(interval, places));
         let mean = pressure.mean(interval);

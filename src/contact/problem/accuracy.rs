@@ -6,11 +6,6 @@ pub(crate) const ROUNDING: f64 = 1e-13;
 /// Error estimates are this many times the difference they are made from, since neither the modes that are missing nor the next
 /// refinement are known. Twice as much: all estimates are larger, and more modes are asked for.
 pub(crate) const SAFETY: f64 = 3.0;
-/// A negative pressure smaller than this part of the largest is zero: sums over hundreds of modes are not known better. Twice as
-/// much: as much more tension goes unnoticed.
-pub(crate) const ZERO: f64 = 1e-7;
-/// The same for gaps, which are found by quadrature and from the lower modes only, and for pressures that decay.
-pub(crate) const NO_GAP: f64 = 1e-5;
 /// Smaller parts of what is wanted, in half-lengths, steps or tolerances, are left to chance: what is done about them changes no digit.
 pub(crate) const MINOR: f64 = 0.01;
 /// Relative accuracy of a coarse solution. First steps leave this much of half-lengths and of kernels; errors, sensitivities and forces
@@ -27,3 +22,9 @@ pub(crate) const PER_MODE: usize = 3;
 pub(crate) const PLACES: usize = 24;
 /// Multiplications at most, all starts together: some seconds. Twice as many: scenes that are not solved take twice the time.
 pub(crate) const MOST_OPERATIONS: f64 = 1e11;
+/// No answer is judged better than this.
+pub(crate) const BEST: f64 = 5.0 * ROUNDING;
+/// Ends with larger relative errors are not known.
+pub(crate) const UNKNOWN: f64 = 0.03;
+/// The relative error of the half-length of a decaying contact, no end of which is found.
+pub(crate) const ENDLESS: f64 = 1.0;

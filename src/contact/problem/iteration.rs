@@ -36,6 +36,26 @@ impl Progress {
     }
 }
 
+/// What has been done, all starts together.
+#[derive(Clone, Default)]
+pub(crate) struct Work {
+    /// Steps on each level.
+    pub(crate) steps: Vec<usize>,
+    /// Wavenumbers of all layouts.
+    pub(crate) interpolated: usize,
+    /// Systems factorised.
+    pub(crate) factorisations: usize,
+    pub(crate) operations: Operations,
+}
+
+impl Work {
+    pub(crate) fn step(&mut self) {
+        if let Some(steps) = self.steps.last_mut() {
+            *steps += 1;
+        }
+    }
+}
+
 /// Multiplications, about, that were made and may be made.
 #[derive(Clone)]
 pub(crate) struct Operations {

@@ -3,27 +3,24 @@
 //! Every contact has a [`Side`] that says what is special about it. No other room asks which contact belongs to the punch.
 pub(crate) mod abel;
 pub(crate) mod accuracy;
-pub(crate) mod estimate;
 pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
 pub(crate) mod placed;
 pub(crate) mod profile;
 pub(crate) mod rows;
-pub(crate) mod support;
 pub(crate) mod twin;
 
-use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
+use crate::numeric::longest;
 use crate::scene::Top;
 use crate::solution::Interface;
 
 use accuracy::MOST_OPERATIONS;
 use load::Given;
 use placed::Placed;
-use profile::{Local, Profile, Span};
-use rows::Slopes;
-use support::{End, Support, span};
+use profile::Profile;
 use twin::Twin;
 
 /// One punch, or one given load, pressed with one force on a stack.
@@ -186,40 +183,15 @@ impl<'a> Problem<'a> {
         self.sides.iter().enumerate().filter_map(|(i, side)| side.profile().map(|profile| (i, profile)))
     }
 
-    /// The right-hand sides of all contacts, with `rows` rows each; `None` where no profile presses.
-    pub(crate) fn slopes(&self, half_lengths: &[f64], rows: &[usize]) -> Vec<Option<Slopes>> {
-        let own = |(side, (a, rows)): (&Side, (&f64, &usize))| {
-            side.profile().map(|profile| profile.rows(Span::even(*a), *rows))
-        };
-        self.sides.iter().zip(half_lengths.iter().zip(rows)).map(own).collect()
-    }
-
-    /// The highest orders of Bessel functions for these numbers of modes; 0 where the pressure is given.
-    pub(crate) fn orders(&self, modes: &[usize]) -> Vec<usize> {
-        let order = |(i, modes): (usize, &usize)| if self.is_known(i) { 0 } else { 2 * modes };
-        modes.iter().enumerate().map(order).collect()
-    }
-
-    /// Contacts of these half-lengths with nothing known of their ends but what the sides tell.
-    pub(crate) fn support(&self, half_lengths: Vec<f64>) -> Support {
-        let ends = self.sides.iter().map(Side::end).collect();
-        Support { half_lengths, ends }
-    }
-
     /// How far out gaps have to be looked at, in units of L: several lengths of the contacts, and all of a profile that falls
     /// somewhere.
     pub(crate) fn span(&self, half_lengths: &[f64]) -> f64 {
-        self.last_fall().max(span(half_lengths))
+        self.last_fall().max(2.0 * longest(half_lengths.iter().copied()) + 2.0)
     }
 
     /// The last place at which a profile falls, in units of L; 0 if none does so anywhere.
     pub(crate) fn last_fall(&self) -> f64 {
         self.profiles().map(|(_, profile)| profile.last_fall()).fold(0.0, f64::max)
-    }
-
-    /// The error where Newton's method has not converged: at the edge of a punch, that the punch is too small.
-    pub(crate) fn not_converged(&self, half_lengths: &[f64]) -> ContactError {
-        self.too_small(half_lengths).unwrap_or_else(|| NoSolution::NotConverged.into())
     }
 
     /// The error to report if a contact has grown to the edge of its punch.
@@ -235,16 +207,6 @@ impl<'a> Side<'a> {
 
     pub(crate) fn given(&self) -> Option<&Given<'a>> {
         if let Self::Known(given) = self { Some(given) } else { None }
-    }
-
-    /// What is known of the end of the contact before it is looked for.
-    fn end(&self) -> End {
-        match self {
-            Self::Profile(profile) if profile.flat().is_some() => End::Edge { intensity: 1.0 },
-            Self::Profile(_) | Self::Punches(_) | Self::Closed => End::Free,
-            Self::Known(_) => End::Given,
-            Self::Joined(_) => End::Edge { intensity: 1.0 },
-        }
     }
 
     /// Height above the apex at x (both in units of L), per unit of P', as the equations test it: about an axis after Abel's transform.
@@ -283,14 +245,14 @@ impl<'a> Side<'a> {
         self.profile().is_some_and(|profile| profile.flat().is_some())
     }
 
+    /// Whether the pressure is singular at both ends of the contact, which stay where they are.
+    pub(crate) fn has_corners(&self) -> bool {
+        self.is_flat() || self.is_joined()
+    }
+
     /// Whether the bodies may pull.
     pub(crate) fn is_joined(&self) -> bool {
         matches!(self, Self::Joined(_))
-    }
-
-    /// Whether modes fall fast: the profile is analytic, or none presses.
-    pub(crate) fn is_smooth(&self) -> bool {
-        self.profile().is_none_or(Profile::is_smooth)
     }
 
     /// Whether terms of the pressure under the punch of this number fall slowly, but for what a sharp tip makes.
@@ -310,10 +272,5 @@ impl<'a> Side<'a> {
     /// The half-length at which a step from `before` to `after` ends.
     pub(crate) fn within(&self, before: f64, after: f64) -> f64 {
         self.profile().map_or(after, |profile| profile.within(before, after))
-    }
-
-    /// The pressure of a half-plane with λμ₀C = `limit` under a punch that is not smooth.
-    pub(crate) fn local(&self, half_length: f64, limit: f64, modes: usize) -> Option<Local> {
-        self.profile().and_then(|profile| profile.local(half_length, limit, modes))
     }
 }

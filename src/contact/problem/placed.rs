@@ -69,8 +69,7 @@ impl<'a> Placed<'a> {
 
     /// ∫ f' cos kφ dφ of its slope f' over x = m + w cos φ, for k from 0 on.
     pub(crate) fn rows(&self, middle: f64, half: f64, count: usize) -> Vec<f64> {
-        let rows = self.profile.rows(Span::anywhere(middle - self.at, half), count).rows;
-        let mut rows: Vec<f64> = rows.into_iter().map(|[value, ..]| value).collect();
+        let mut rows = self.profile.rows(Span::anywhere(middle - self.at, half), count);
         if let Some(first) = rows.first_mut() {
             *first += std::f64::consts::PI * self.angle().unwrap_or(0.0);
         }

@@ -1,8 +1,6 @@
 //! The punch as the contact equations see it, per unit of P': its slope and height, and the pressure that is as singular as it is.
-use std::f64::consts::PI;
 
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::problem::modes::order;
 use crate::contact::problem::twin::Twin;
 use crate::scene::{Punch, Shape};
 
@@ -44,15 +42,6 @@ pub(crate) struct Profile<'a> {
     pub(super) twin: Twin,
 }
 
-/// What a half-plane of the material at the face does under the punch, all rows but the first fulfilled: the pressure
-/// that has the singularities of the profile.
-pub(crate) struct Local {
-    /// Its modes y_m.
-    pub(crate) modes: Vec<f64>,
-    /// Σ y_m/(πj) over all of them, the pressure at x = 0; infinite at a sharp apex.
-    pub(crate) peak: f64,
-}
-
 impl<'a> Profile<'a> {
     /// A punch in units of L, pressed with P'.
     pub(crate) fn new(punch: &'a Punch, length: f64, force: f64, twin: Twin) -> Self {
@@ -62,11 +51,6 @@ impl<'a> Profile<'a> {
     /// Half-length of the contact, in units of L, if the punch has sharp corners.
     pub(crate) fn flat(&self) -> Option<f64> {
         if let Shape::Flat(edge) = self.shape { Some(edge / self.length) } else { None }
-    }
-
-    /// Whether modes fall fast: the profile is analytic, and what it presses on takes no part in that.
-    pub(crate) fn is_smooth(&self) -> bool {
-        self.shape.is_smooth()
     }
 
     /// Whether the profile is less smooth than with a sharp tip alone.
@@ -130,21 +114,9 @@ impl<'a> Profile<'a> {
     pub(crate) fn first_row(&self, half_length: f64) -> f64 {
         // of an uneven profile the even part counts
         match self.shape.is_even() {
-            true => self.rows(Span::even(half_length), 1).rows[0][0],
-            false => self.rows(Span::anywhere(0.0, half_length), 2).rows[1][0],
+            true => self.rows(Span::even(half_length), 1)[0],
+            false => self.rows(Span::anywhere(0.0, half_length), 2)[1],
         }
-    }
-
-    /// The pressure of a half-plane with λμ₀C = `limit` under a punch that is not smooth.
-    pub(crate) fn local(&self, half_length: f64, limit: f64, modes: usize) -> Option<Local> {
-        if self.shape.is_smooth() {
-            return None;
-        }
-        // each mode alone
-        let (twin, factor) = (self.twin, self.twin.alone(half_length) / limit);
-        let rows = self.rows(Span::even(half_length), modes).rows;
-        let mode = |(m, [value, ..]): (usize, &[f64; 2])| factor * (order(m) + twin.shift) * value / twin.scale(m);
-        Some(Local { modes: rows.iter().enumerate().map(mode).collect(), peak: factor / PI * self.apex(half_length) })
     }
 }
 

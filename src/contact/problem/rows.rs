@@ -28,35 +28,21 @@ const STEEPEST: f64 = 1.0 - 1e-12;
 /// what else it does there is odd, so that the square of this counts, which is below rounding.
 const TIP_CELLS: usize = 27;
 
-/// The slope of a profile, per unit of P', against the tests of an interval.
-pub(crate) struct Slopes {
-    /// ∫ f'(m + w s) C_k ... and its derivative with respect to ln w.
-    pub(crate) rows: Vec<[f64; 2]>,
-    /// w.
-    pub(crate) half_length: f64,
+/// The slope of a profile, per unit of P', against the tests of an interval: ∫ f'(m + w s) C_k ...
+struct Slopes {
+    rows: Vec<f64>,
     twin: Twin,
 }
 
 /// θ, and what is there to be added to the rows, times their tests.
-type Node = (f64, [f64; 2]);
+type Node = (f64, f64);
 
 impl Slopes {
-    /// The right-hand side of mode `m`.
-    pub(crate) fn load(&self, m: usize) -> f64 {
-        self.twin.load(m) * self.rows[m][0] / self.half_length
-    }
-
-    /// Its derivative with respect to ln a.
-    pub(crate) fn load_slope(&self, m: usize) -> f64 {
-        self.twin.load(m) * (self.rows[m][1] - self.rows[m][0]) / self.half_length
-    }
-
     /// Adds amplitude · |s|^power sign(s) to odd rows: ∫ cos^ν θ C_k dθ is a product of gamma functions.
     fn add_power(&mut self, power: f64, amplitude: f64) {
         let mut value = 2.0 * amplitude * self.twin.moment(power + 1.0);
-        for (m, [row, slope]) in self.rows.iter_mut().enumerate() {
+        for (m, row) in self.rows.iter_mut().enumerate() {
             *row += value;
-            *slope += power * value;
             let k = order(m);
             value *= (k - power) / (k + power + (2.0 + 2.0 * self.twin.shift));
         }
@@ -85,19 +71,12 @@ impl Slopes {
                 wave *= turn;
                 *sine = wave.im / j as f64;
             }
-            // the place where the interval begins is none of the profile
-            let at_start = if begins { 0.0 } else { j0 * cos / turn.im };
-            let (mut wave, by) = if step == 2 { (turn, turn * turn) } else { (Complex64::ONE, turn) };
-            for (m, [row, slope]) in self.rows.iter_mut().enumerate() {
+            for (m, row) in self.rows.iter_mut().enumerate() {
                 let (k, times) = if step == 2 { (2 * m + 1, 2.0 * alternating(m)) } else { (m, 1.0) };
                 let (own, next) = (sines[k], sines[k.abs_diff(1)] + sines[k + 1]);
                 let linear = 0.5 * next - cos * own;
                 let square = 0.5 * own + 0.25 * (sines[k.abs_diff(2)] + sines[k + 2]) - cos * next + cos * cos * own;
                 *row += times * (j0 * own + j1 * linear + j2 * square);
-                // the distance from the middle times f'' of the same, and the jump of f' at b
-                let jump = at_start * wave.re;
-                *slope += times * (jump + cos * j1 * own + (j1 + 2.0 * cos * j2) * linear + 2.0 * j2 * square);
-                wave *= by;
             }
         }
     }
@@ -110,17 +89,15 @@ impl Slopes {
             || {
                 for some in places.chunks(LANES) {
                     let [mut turn, mut test, mut before] = [[0.0; LANES]; 3];
-                    let mut own = [[0.0; LANES]; 2];
-                    for (lane, (theta, parts)) in some.iter().enumerate() {
+                    let mut own = [0.0; LANES];
+                    for (lane, (theta, part)) in some.iter().enumerate() {
                         let s = theta.cos();
                         let start = if step == 2 { [(2.0 * theta).cos(), s, -s] } else { [s, 1.0, s] };
                         [turn[lane], test[lane], before[lane]] = start;
-                        own.iter_mut().zip(parts).for_each(|(own, part)| own[lane] = *part);
+                        own[lane] = *part;
                     }
                     for (row, [up, stay, down]) in self.rows.iter_mut().zip(&steps) {
-                        for (sum, own) in row.iter_mut().zip(&own) {
-                            (0..LANES).for_each(|lane| *sum += own[lane] * test[lane]);
-                        }
+                        (0..LANES).for_each(|lane| *row += own[lane] * test[lane]);
                         for lane in 0..LANES {
                             let next = (up * turn[lane] + stay) * test[lane] - down * before[lane];
                             (before[lane], test[lane]) = (test[lane], next);
@@ -133,10 +110,10 @@ impl Slopes {
 }
 
 impl Profile<'_> {
-    /// The first `count` rows on an interval, with derivatives with respect to its length.
-    pub(crate) fn rows(&self, span: Span, count: usize) -> Slopes {
+    /// The first `count` rows on an interval.
+    pub(crate) fn rows(&self, span: Span, count: usize) -> Vec<f64> {
         debug_assert!(span.step == 1 || self.shape.is_even(), "an uneven profile has rows of even k as well");
-        let mut slopes = Slopes { rows: vec![[0.0; 2]; count], half_length: span.half, twin: self.twin };
+        let mut slopes = Slopes { rows: vec![0.0; count], twin: self.twin };
         match &self.shape {
             Shape::Flat(_) => {}
             Shape::Powers { .. } if span.step == 2 => {
@@ -162,7 +139,7 @@ impl Profile<'_> {
                 slopes.add(span.step, count, &self.between(span, &self.not_smooth(span), phase));
             }
         }
-        slopes
+        slopes.rows
     }
 
     /// ∫ f'(a cos θ)/cos θ ... from 0 to π/2, over P': the sum of all odd rows.
@@ -180,7 +157,7 @@ impl Profile<'_> {
         let octaves = limits.first().map_or(0.0, |first| (own / first).log2()).min(-2.0 * ROUNDING.log2());
         limits.extend(halves(own).take(1 + octaves as usize));
         limits.sort_by(f64::total_cmp);
-        self.between(span, &limits, 0.0).iter().map(|(theta, [value, ..])| 0.5 * value / theta.cos()).sum()
+        self.between(span, &limits, 0.0).iter().map(|(theta, value)| 0.5 * value / theta.cos()).sum()
     }
 
     /// Where the profile is not smooth inside an interval, from left to right, in the unit of the scene; powers go to the tip cell by cell.
@@ -213,7 +190,7 @@ impl Profile<'_> {
                 // about the tip
                 let [right, left] = [*x, -x].map(|x| self.shape.slope(x) / self.force);
                 let theta = (-span.middle / span.half).acos();
-                places.push((theta, [0.5 * (right + left) * (to - from), (right - left) / theta.tan()]));
+                places.push((theta, 0.5 * (right + left) * (to - from)));
                 continue;
             }
             let parts = (phase * (to - from) / PHASE).ceil().max(1.0);
@@ -238,12 +215,11 @@ impl Profile<'_> {
     fn place(&self, span: Span, theta: f64, weight: f64) -> Node {
         let (s, weight) = (theta.cos(), span.step as f64 * weight);
         if self.twin == Twin::Round {
-            let [_, value, slope] = self.abel(span.half * s);
-            return (theta, [value, slope].map(|value| theta.sin() * weight * value));
+            return (theta, theta.sin() * weight * self.abel(span.half * s)[1]);
         }
         let (arm, weight) = (span.half * s * self.length, weight / self.force);
         let x = span.middle * self.length + arm;
-        (theta, [weight * self.shape.slope(x), weight * arm * self.shape.curvature(x)])
+        (theta, weight * self.shape.slope(x))
     }
 
     /// Height above the apex at x (both in units of L), per unit of P', and about an axis A(x).
@@ -261,22 +237,20 @@ impl Profile<'_> {
         })
     }
 
-    /// A(t)/t, A'(t) and t A''(t) at t in units of L, over P'.
-    fn abel(&self, t: f64) -> [f64; 3] {
+    /// A(t)/t and A'(t) at t in units of L, over P'.
+    fn abel(&self, t: f64) -> [f64; 2] {
         let own = t * self.length;
         let values = match &self.shape {
             Shape::Circle(radius) => {
                 let u = (own / radius).min(STEEPEST);
                 let over = ((1.0 - u) * (1.0 + u)).recip();
-                [u.atanh(), u.atanh() + u * over, 2.0 * u * over * over]
+                [u.atanh(), u.atanh() + u * over]
             }
             Shape::Pieces { pieces, .. } => pieces_abel(pieces, own),
-            Shape::Flat(_) => [0.0; 3],
+            Shape::Flat(_) => [0.0; 2],
             Shape::Powers { .. } => {
-                let add = |sum: [f64; 3], (power, slope): (f64, f64)| {
-                    [sum[0] + slope / (power + 1.0), sum[1] + slope, sum[2] + slope * power]
-                };
-                return self.powers(t).fold([0.0; 3], add);
+                let add = |sum: [f64; 2], (power, slope): (f64, f64)| [sum[0] + slope / (power + 1.0), sum[1] + slope];
+                return self.powers(t).fold([0.0; 2], add);
             }
         };
         values.map(|value| value / self.force)
@@ -284,8 +258,8 @@ impl Profile<'_> {
 }
 
 /// The same for polynomials: ∫ f'(t sin φ) dφ, and ∫ g(t sin φ) dφ with g = (r f')' = e_0 + e_1 r + e_2 r² in each piece.
-fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 3] {
-    let [mut whole, mut value, mut slope, mut before] = [0.0; 4];
+fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 2] {
+    let [mut whole, mut value] = [0.0; 2];
     for (i, Piece { start, coefficients: [_, c1, c2, c3] }) in pieces.iter().enumerate() {
         if *start >= t {
             break;
@@ -304,15 +278,8 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 3] {
         let linear = e[1] * t * (cos_0 - cos);
         whole += d[0] * angle + 0.5 * linear + d[2] * square;
         value += e[0] * angle + linear + e[2] * square;
-        slope += linear + 2.0 * e[2] * square;
-        // where g jumps
-        let here = e[0] + start * (e[1] + start * e[2]);
-        if i > 0 {
-            slope += (here - before) * sin_0 / cos_0;
-        }
-        before = e[0] + end * (e[1] + end * e[2]);
     }
-    [whole, value, slope]
+    [whole, value]
 }
 
 /// The mirror images of pieces, from left to right, as far as −`end`.

@@ -10,10 +10,13 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use std::ops::Deref;
 use std::sync::LazyLock;
 
-use crate::contact::problem::modes::{FINEST, alternating, order};
+use crate::contact::problem::modes::{alternating, order};
 use crate::geometry::Geometry;
 use crate::numeric::bessel::{self, Kind};
 use crate::solution::jacobi_weights;
+
+/// Modes of which factors are tabulated: as many as pressures under punches that are not smooth have on a half-plane.
+const SCALED: usize = 12_288;
 
 /// A plane problem, or its axisymmetric twin: the numbers in which they differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,8 +44,6 @@ pub(crate) struct Numbers {
     compliance: f64,
     /// The pressure at the middle per unit of Σ y_m/(πj), over P', under a contact of half-length 1.
     unit: f64,
-    /// The first of the modes of arcosh(1/s), in the unit of `unit` over π.
-    tip: f64,
     /// The amplitude of arcosh(1/s) next to a tip at which the slope jumps by 1, on a half-plane with g∞ = 1.
     pub(crate) under_jump: f64,
     /// The mean of √(1 − s²) over a contact, by which a mean pressure is told from a force.
@@ -59,7 +60,6 @@ static PLANE: Numbers = Numbers {
     load: 0.5,
     compliance: 1.0,
     unit: 2.0,
-    tip: 2.0,
     under_jump: 1.0 / PI,
     mean: 0.25 * PI,
 };
@@ -74,8 +74,6 @@ static ROUND: Numbers = Numbers {
     load: 0.375,
     compliance: PI,
     unit: 3.0 * PI,
-    // the first mode of the mode-0 part of 1 = Σ (2k + 1) ∫ P_k
-    tip: 1.5,
     under_jump: 0.5,
     mean: 2.0 / 3.0,
 };
@@ -96,12 +94,12 @@ static TIPS: LazyLock<Vec<f64>> = LazyLock::new(|| {
         integral *= order(m) / (order(m) + 3.0);
         tip
     };
-    (0..24 * FINEST).map(tip).collect()
+    (0..SCALED).map(tip).collect()
 });
 
 /// κ_m = 1/(j w_m).
 static SCALES: LazyLock<Vec<f64>> =
-    LazyLock::new(|| jacobi_weights().take(24 * FINEST).enumerate().map(|(m, w)| 1.0 / (order(m) * w)).collect());
+    LazyLock::new(|| jacobi_weights().take(SCALED).enumerate().map(|(m, w)| 1.0 / (order(m) * w)).collect());
 
 impl Twin {
     pub(crate) fn of(geometry: Geometry) -> Self {
@@ -141,11 +139,6 @@ impl Twin {
     /// What dζ/ζ of the plane problem is multiplied by.
     pub(crate) fn measure(self, zeta: f64) -> f64 {
         zeta.powi(self.lengths - 1)
-    }
-
-    /// g∞ ∫ ψ_m² over all wavenumbers, for a contact of half-length a.
-    pub(crate) fn diagonal(self, limit: f64, m: usize, half_length: f64) -> f64 {
-        limit * self.product(2 * m + 1, m, half_length)
     }
 
     /// ∫ ψ_m² over all wavenumbers of the mode of number m, which has this order.
@@ -197,18 +190,6 @@ impl Twin {
         self.unit / half_length.powi(self.lengths)
     }
 
-    /// The pressure next to sharp corners less a unit pressure of the same resultant has the modes of this factor times 1/√(1 − s²) minus
-    /// twice `norm` times √(1 − s²), in the unit of [`Self::unit`] over π.
-    pub(crate) fn edge(self) -> f64 {
-        0.5 / self.norm
-    }
-
-    /// The logarithm arcosh(1/s) under a sharp tip, in the unit of [`Self::unit`] over π, of which all modes are like the modes of the
-    /// asymptotic pressure; `first` is the first of the latter.
-    pub(crate) fn tip(self, first: f64) -> f64 {
-        first / self.tip
-    }
-
     /// The coefficient of mode m in a multiple of arcosh(1/s).
     pub(crate) fn tip_mode(self, m: usize, tip: f64) -> f64 {
         match self {
@@ -217,21 +198,9 @@ impl Twin {
         }
     }
 
-    /// c_j a/(2 μ₀P') of p = Σ c_j sin jφ with x = a cos φ, from y_m = ½ π j (−1)^m a c_j/(μ₀P'); in the axisymmetric case the coefficients of √(1 − s²)
-    /// times Jacobi polynomials that are 1 at s = 0.
-    pub(crate) fn coefficients(self, modes: &[f64]) -> Vec<f64> {
-        let sign = |m: usize| if self == Self::Plane { alternating(m) } else { 1.0 };
-        modes.iter().enumerate().map(|(m, y)| sign(m) * y / (order(m) * PI)).collect()
-    }
-
     /// 2 J_1(z)/z − 1 from J_1(z), or its twin: the transform of the first mode less its resultant.
     pub(crate) fn jinc_minus_one(self, z: f64, first: f64) -> f64 {
         if self == Self::Round { bessel::spherical_jinc_minus_one(z) } else { bessel::jinc_minus_one_from(z, first) }
-    }
-
-    /// Multiplies by κ_m.
-    pub(crate) fn scaled(self, modes: &[f64]) -> Vec<f64> {
-        modes.iter().enumerate().map(|(m, y)| y * self.scale(m)).collect()
     }
 }
 

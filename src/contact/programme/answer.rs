@@ -3,10 +3,9 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::{Answer, Found};
-use crate::contact::problem::accuracy::{COARSE, SAFETY};
+use crate::contact::problem::accuracy::{COARSE, ENDLESS, SAFETY};
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, load};
-use crate::contact::quality::estimates::ENDLESS;
 use crate::numeric::largest;
 use crate::solution::{Form, Interval, Stats, Strip, Warning, WarningCode};
 

@@ -1,6 +1,6 @@
 //! Pressures if given elements touch and others do not.
 //!
-//! As in [`crate::contact::equations::assemble`], the unknowns u of a contact are what it has more than the contact above where both
+//! As in the equations of [`crate::contact::intervals`], the unknowns u of a contact are what it has more than the contact above where both
 //! touch, since laminates may bend so easily that both are nearly the same: p_(i+1) = p_i + u_(i+1), and where contact i
 //! does not touch p_(i+1) = u_(i+1). The energy of all that lies below a contact depends on its pressure alone, so contacts are
 //! eliminated from below (dynamic programming): ½ pᵀ S_i p − g_iᵀ p is the least energy from contact i on downwards. That

@@ -4,10 +4,10 @@ use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::profile::Profile;
-use crate::contact::problem::support::longest;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
+use crate::numeric::longest;
 use crate::scene::Top;
 
 /// Half-length of the contact of a strip of thickness 1 that a line load presses on a rigid base.
@@ -62,15 +62,23 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
     for (i, side) in problem.sides.iter().enumerate() {
         half_lengths.push(match side {
             Side::Known(given) => given.half_length,
-            Side::Joined(half_length) => *half_length,
-            Side::Profile(profile) => {
-                profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance))
-            }
             Side::Punches(all) => all.iter().map(|punch| longest(under(problem.kernel, punch))).fold(0.0, f64::max),
             Side::Closed => half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)),
+            Side::Profile(_) | Side::Joined(_) => half_length(problem, i, compliance).unwrap_or_default(),
         });
     }
     half_lengths
+}
+
+/// The half-length under an even punch, or of a contact that is joined; `None` for others.
+fn half_length(problem: &Problem, contact: usize, compliance: fn(&Kernel, f64) -> f64) -> Option<f64> {
+    match &problem.sides[contact] {
+        Side::Joined(half_length) => Some(*half_length),
+        Side::Profile(profile) => {
+            Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance)))
+        }
+        _ => None,
+    }
 }
 
 /// Where contacts may be that are not even: under each punch as by itself, below each load or contact as far as it would touch by itself, as one where
@@ -83,8 +91,7 @@ pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
         if let Side::Punches(punches) = &problem.sides[contact] {
             own = punches.iter().map(|punch| under(problem.kernel, punch)).collect();
             all.extend(own.iter().enumerate().map(|(punch, ends)| Expected { contact, punch, ends: *ends }));
-        } else if let Side::Profile(profile) = &problem.sides[contact] {
-            let half = profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, Kernel::closed));
+        } else if let Some(half) = half_length(problem, contact, Kernel::closed) {
             own = vec![[-half, half]];
             all.push(Expected { contact, punch: 0, ends: own[0] });
         } else {

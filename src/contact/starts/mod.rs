@@ -1,3 +1,3 @@
-//! Where Newton's method starts, and in which order starting points are tried.
+//! Where Newton's method starts, and in which order starts are tried.
 pub(crate) mod formulas;
 pub(crate) mod order;
