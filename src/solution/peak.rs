@@ -140,9 +140,7 @@ impl Contact {
     pub(crate) fn last_term(&self) -> f64 {
         let last = |strip: &Strip| {
             let terms = &strip.coefficients;
-            terms[terms.len().saturating_sub(6)..]
-                .iter()
-                .fold(0.0, |most: f64, c| most.max(c.abs()))
+            terms[terms.len().saturating_sub(6)..].iter().fold(0.0, |most: f64, c| most.max(c.abs()))
         };
         // of a pressure that is given none is missing
         let is_found = self.central_pressure_error > 0.0;

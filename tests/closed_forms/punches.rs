@@ -60,20 +60,28 @@ pub fn wedge_pressure(material: Elastic, slope: f64, half_length: f64, x: f64) -
 /// Force that presses a flat punch of half-width `flat` with corners of radius `radius` to the half-length
 /// `half_length` > `flat`.
 pub fn rounded_flat_force(material: Elastic, flat: f64, radius: f64, half_length: f64) -> f64 {
-    let angle = (flat / half_length).asin();
-    half_length.powi(2) * (PI - 2.0 * angle - (2.0 * angle).sin()) / (2.0 * radius * material.flexibility())
+    let rest = 2.0 * round_angle(flat, half_length);
+    half_length.powi(2) * (rest - rest.sin()) / (2.0 * radius * material.flexibility())
+}
+
+/// The angle φ from the end of a contact to where corners begin, cos φ = `flat` / `half_length`, also where it is small.
+fn round_angle(flat: f64, half_length: f64) -> f64 {
+    2.0 * ((half_length - flat) / (2.0 * half_length)).sqrt().asin()
 }
 
 /// Pressure at |x| < `half_length` under a flat punch with rounded corners.
 pub fn rounded_flat_pressure(material: Elastic, flat: f64, radius: f64, half_length: f64, x: f64) -> f64 {
-    let (corner, phi) = ((flat / half_length).asin(), (x.abs() / half_length).asin());
+    let (rest, phi) = (round_angle(flat, half_length), (x.abs() / half_length).asin());
+    let corner = 0.5 * PI - rest;
     let scale = half_length / (PI * radius * material.flexibility());
     if flat == 0.0 {
         return scale * PI * phi.cos();
     }
     let first = ((phi + corner).sin() / (phi - corner).sin()).abs().ln();
-    let second = ((0.5 * (phi + corner)).tan() * (0.5 * (phi - corner)).tan()).abs().ln();
-    scale * ((PI - 2.0 * corner) * phi.cos() + phi.sin() * first + corner.sin() * second)
+    // ln |tan ½(φ + corner) tan ½(φ − corner)|, with no digits lost where it is small
+    let (short, long) = (rest.sin().min(phi.cos()), rest.sin().max(phi.cos()));
+    let second = -2.0 * (short / long).atanh();
+    scale * (2.0 * rest * phi.cos() + phi.sin() * first + rest.cos() * second)
 }
 
 /// Pressure at |x| < `half_length` under a flat punch with sharp corners.

@@ -51,13 +51,9 @@ impl<'a> Columns<'a> {
 }
 
 impl Columns<'_> {
-    /// Whether the columns and tests of another contact are of the same kinds.
+    /// Whether there are as many columns and tests of each kind as of another contact, the intervals of which are alike.
     pub(super) fn are_like(&self, other: &Self) -> bool {
-        let kinds = |columns: &Self| columns.intervals.iter().map(|interval| interval.parity).collect::<Vec<_>>();
-        !self.intervals.is_empty()
-            && self.counts == other.counts
-            && kinds(self) == kinds(other)
-            && self.groups().len() == other.groups().len()
+        !self.intervals.is_empty() && self.counts == other.counts && self.groups().len() == other.groups().len()
     }
 
     /// Number of terms.

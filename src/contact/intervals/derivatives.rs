@@ -3,10 +3,13 @@
 //! Next to the answer all intensities vanish, each one depends on its own end only, and the pressure there tells how: these are the steps as long as they lead
 //! on. Farther away, where a thin layer or a neighbour's end bends pressures near an end, derivatives are found from differences: by ends of which the pressure
 //! tells nothing, and by all where steps lead nowhere.
+use std::rc::Rc;
+
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 use crate::contact::intervals::pressure;
+use crate::contact::intervals::steps::Look;
 use crate::contact::intervals::support::{End, Intervals};
 use crate::contact::problem::accuracy::SLOW;
 use crate::numeric::longest;
@@ -21,11 +24,17 @@ const FARTHEST: f64 = 2.0;
 /// An end of which derivatives tell nothing moves at least so far, in half-lengths.
 const SHORTEST: f64 = 0.1;
 
+/// Derivatives of intensities by steps outwards, in half-lengths.
+pub(super) struct Matrix {
+    by: Mat<f64>,
+    /// By which ends they are known.
+    known: Vec<bool>,
+}
+
 /// What is known of how intensities change, and how far each end may move.
 #[derive(Default)]
 pub(super) struct Derivatives {
-    /// Derivatives of intensities by steps outwards, in half-lengths, and by which ends these are known.
-    matrix: Option<(Mat<f64>, Vec<bool>)>,
+    pub(super) matrix: Option<Rc<Matrix>>,
     /// The largest intensity at all steps so far.
     largest: Vec<f64>,
     /// The last step of each end, and how far it may move, in half-lengths.
@@ -49,22 +58,16 @@ impl Derivatives {
         let wanted: Vec<bool> =
             (0..size).map(|end| q[end] != 0.0 && (is_slow || steps[end] >= pressure::FARTHEST)).collect();
         if wanted.contains(&true) {
-            self.matrix = Some((differences(support, &wanted, q, perturbed)?, wanted));
+            self.matrix = Some(Rc::new(Matrix { by: differences(support, &wanted, q, perturbed)?, known: wanted }));
         }
-        let mut matrix = Mat::identity(size, size);
-        let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
+        let (mut matrix, mut right) = equations(self.matrix.as_deref(), q, steps);
         let mut allowed = vec![LONGEST; size];
-        if let Some((own, known)) = &self.matrix {
-            for row in (0..size).filter(|row| known[*row] && q[*row] != 0.0) {
-                if LONGEST * -own[(row, row)] > q[row].abs() {
-                    right[(row, 0)] = -q[row];
-                    (0..size).for_each(|column| matrix[(row, column)] = own[(row, column)]);
-                } else {
-                    // a contact much too short grows faster and faster
-                    let again = 2.0 * q[row].signum() * self.taken.get(row).unwrap_or(&0.0);
-                    right[(row, 0)] = q[row].signum() * steps[row].abs().max(SHORTEST).max(again);
-                    allowed[row] = if q[row] > 0.0 { FARTHEST } else { LONGEST };
-                }
+        if let Some(own) = &self.matrix {
+            for row in (0..size).filter(|row| own.known[*row] && q[*row] != 0.0 && !own.leads(*row, q)) {
+                // a contact much too short grows faster and faster
+                let again = 2.0 * q[row].signum() * self.taken.get(row).unwrap_or(&0.0);
+                right[(row, 0)] = q[row].signum() * steps[row].abs().max(SHORTEST).max(again);
+                allowed[row] = if q[row] > 0.0 { FARTHEST } else { LONGEST };
             }
         }
         self.taken.resize(size, 0.0);
@@ -90,6 +93,35 @@ impl Derivatives {
         let before = self.taken[row];
         if step * before < 0.0 { 0.5 * before.abs() } else { (2.0 * self.limits[row]).min(allowed) }
     }
+}
+
+impl Matrix {
+    /// Whether an intensity falls as its end moves outwards, and vanishes after no more than the longest step.
+    fn leads(&self, row: usize, q: &[f64]) -> bool {
+        LONGEST * -self.by[(row, row)] > q[row].abs()
+    }
+
+    /// Newton's steps of ends that move, in place of those that pressures tell.
+    pub(super) fn improve(&self, looks: &[Look], steps: &mut [f64]) {
+        let q: Vec<f64> =
+            looks.iter().zip(&*steps).map(|(look, step)| if *step == 0.0 { 0.0 } else { look.q }).collect();
+        let (matrix, right) = equations(Some(self), &q, steps);
+        steps.copy_from_slice(matrix.partial_piv_lu().solve(&right).col_as_slice(0));
+    }
+}
+
+/// The equations for steps: intensities vanish where their derivatives are known and lead on; else steps are these.
+fn equations(known: Option<&Matrix>, q: &[f64], steps: &[f64]) -> (Mat<f64>, Mat<f64>) {
+    let size = q.len();
+    let mut matrix = Mat::identity(size, size);
+    let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
+    if let Some(own) = known {
+        for row in (0..size).filter(|row| own.known[*row] && q[*row] != 0.0 && own.leads(*row, q)) {
+            right[(row, 0)] = -q[row];
+            (0..size).for_each(|column| matrix[(row, column)] = own.by[(row, column)]);
+        }
+    }
+    (matrix, right)
 }
 
 /// Derivatives of intensities by some ends, from a small step of each of these to both sides.

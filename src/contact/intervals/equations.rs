@@ -110,8 +110,9 @@ impl<'a> Equations<'a> {
             Columns::new(intervals, counts)
         });
         let columns: Vec<Columns> = columns.collect();
-        let is_linked = |pair: &[Columns]| pair[0].are_like(&pair[1]);
-        let linked = columns.windows(2).map(is_linked).collect();
+        let is_linked =
+            |(laminate, pair): (usize, &[Columns])| support.are_alike(laminate) && pair[0].are_like(&pair[1]);
+        let linked = columns.windows(2).enumerate().map(is_linked).collect();
         let moves = support.0.iter().any(|interval| interval.parity == Parity::None);
         let groups = problem.groups(0);
         let free = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).collect();

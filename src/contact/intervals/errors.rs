@@ -8,9 +8,10 @@ use crate::numeric::largest;
 use crate::solution::{Warning, WarningCode};
 
 /// Changes from level to level are said to fall at least this fast, and at most.
-const MOST_FALL: f64 = 0.5;
+const MOST_FALL: f64 = 0.75;
 const LEAST_FALL: f64 = 0.01;
 const LEAST_FALL_GRADED: f64 = 0.1;
+const LEAST_FALL_KINKED: f64 = 0.5;
 
 /// How well ends and pressures are known, from what fewer terms tell of them.
 pub(super) struct Errors {
@@ -20,6 +21,8 @@ pub(super) struct Errors {
     pub(super) pressures: Vec<f64>,
     /// The most that is due to something else than the number of terms.
     pub(super) floor: f64,
+    /// The most that is due to missing terms.
+    pub(super) missing: f64,
     /// How much less half as many terms more change than those before.
     pub(super) fall: f64,
 }
@@ -39,7 +42,7 @@ impl Errors {
         // next to graded faces changes fall like a power
         let least = match level.graded.contains(&true) {
             // under a kink changes may be small by chance
-            _ if level.local.iter().any(|local| !local.terms.is_empty()) => MOST_FALL,
+            _ if level.local.iter().any(|local| !local.terms.is_empty()) => LEAST_FALL_KINKED,
             true => LEAST_FALL_GRADED,
             false => LEAST_FALL,
         };
@@ -51,11 +54,15 @@ impl Errors {
         let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
         // short waves matter where an interval is short
         let rest = |interval: &ContactInterval| {
-            SAFETY * level.left + 5.0 * ROUNDING + level.left_out[interval.contact] / interval.half
+            SAFETY * level.left
+                + 5.0 * ROUNDING.max(level.negligible)
+                + level.left_out[interval.contact] / interval.half
         };
         let rests: Vec<f64> = all.iter().map(rest).collect();
         // steps go on with more terms
         let steps = if level.is_rounding { 0.0 } else { SAFETY * level.left };
+        let most = |changes: &[[f64; 2]]| largest(changes.iter().map(|[last, _]| last.abs()));
+        let missing = (of_ends * most(&moves)).max(of_pressures * most(&changes));
         let mut next = moves.iter();
         let ends = |(interval, rest): (&ContactInterval, &f64)| {
             let mut errors = [*rest; 2];
@@ -70,6 +77,7 @@ impl Errors {
             ends: all.iter().zip(&rests).map(ends).collect(),
             pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
             floor: largest(rests.iter().copied()) - steps,
+            missing,
             fall: falls[0].max(falls[1]),
         }
     }

@@ -119,11 +119,15 @@ pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec
     starts
 }
 
-/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone, from the usual number times `finer` on.
-fn resolved(problem: &Problem, interval: &ContactInterval, finer: usize) -> usize {
+/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
+fn resolving(problem: &Problem, interval: &ContactInterval) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
-    let count = if interval.is_even() { 0.5 * orders } else { orders };
-    (count as usize).clamp(finer * COARSEST, finer * 4 * COARSEST).min(FINEST / 2)
+    (if interval.is_even() { 0.5 * orders } else { orders }) as usize
+}
+
+/// The same between the usual number of terms and four times as many, both times `finer`.
+fn first_count(problem: &Problem, interval: &ContactInterval, finer: usize) -> usize {
+    resolving(problem, interval).clamp(finer * COARSEST, finer * 4 * COARSEST).min(FINEST / 2)
 }
 
 /// Goes on from a first solution with more and more terms, though intervals that carry next to nothing may be left out. Signs are looked at once terms would be many, and in the end.
@@ -131,19 +135,21 @@ fn resolved(problem: &Problem, interval: &ContactInterval, finer: usize) -> usiz
 /// # Errors
 /// What is wrong with the signs, if that is seen at the first look; nothing if there is no answer for another reason.
 fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut Work) -> Result<Answer, Option<Fault>> {
-    let (mut is_seen, mut is_first) = (false, true);
+    let (mut is_seen, mut is_first, mut was_few) = (false, true, true);
     let tolerance = problem.tolerance.max(BEST);
     let enough = ROUNDING.max(MINOR * tolerance);
     let (mut last, mut best, mut stalls) = (first, None::<(Errors, Approximation)>, false);
     loop {
         let errors = Errors::of(&last);
         // more terms do not help against what is due to something else; kernels and ends of the first solution have few digits
-        let is_few = std::mem::take(&mut is_first) && tolerance < COARSE;
+        let is_few = std::mem::take(&mut is_first) && (tolerance < COARSE || !resolves(problem, &last));
         let is_done = !is_few && errors.worst() <= tolerance.max(2.0 * errors.floor);
         let mut counts = grown(&last, &errors, tolerance);
         last.support.equalise(&mut counts);
         let is_finest = !is_few && counts == last.counts;
-        let is_better = best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
+        // errors of few terms may be small by chance
+        let is_better = std::mem::replace(&mut was_few, is_few)
+            || best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
         if is_better {
             best = Some((errors, last.clone()));
         }
@@ -193,6 +199,11 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
     Ok(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 
+/// Whether terms resolve the layers at the faces of all contacts: those of fewer terms tell nothing of errors.
+fn resolves(problem: &Problem, level: &Approximation) -> bool {
+    level.support.0.iter().zip(&level.counts).all(|(interval, count)| *count >= resolving(problem, interval))
+}
+
 /// What is to be said of a tolerance that is not met, or beyond double precision.
 fn precision(tolerance: f64, error: f64, terms: usize) -> Option<Warning> {
     if error > tolerance.max(BEST) {
@@ -212,7 +223,7 @@ fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
     let weights = level.last_terms();
     let most = largest(weights.iter().copied());
     let grown = |(count, weight): (&usize, &f64)| {
-        let error = if most > 0.0 { errors.worst() * weight / most } else { errors.worst() };
+        let error = if most > 0.0 { errors.missing * weight / most } else { errors.missing };
         if error < MINOR * tolerance {
             return *count;
         }

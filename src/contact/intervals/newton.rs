@@ -2,7 +2,7 @@
 use std::rc::Rc;
 
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
-use crate::contact::intervals::derivatives::Derivatives;
+use crate::contact::intervals::derivatives::{Derivatives, Matrix};
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::left_out::left_out;
@@ -11,9 +11,9 @@ use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::steps::{Look, looks, moved};
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{ENDLESS, MINOR, SLOW};
+use crate::contact::problem::accuracy::{ENDLESS, MINOR, SAFETY, SLOW};
 use crate::contact::problem::iteration::{Progress, Work};
-use crate::numeric::largest;
+use crate::numeric::{largest, longest};
 
 /// Steps at most.
 const MOST_STEPS: usize = 40;
@@ -37,11 +37,15 @@ pub(super) struct Approximation {
     pub(super) coarser: [Vec<Pressure>; 2],
     /// Factorised equations of nearly the same list, if they have the same unknowns.
     kept: Option<Rc<Kept>>,
+    /// Derivatives of the intensities at ends of nearly the same list, if there are any.
+    derivatives: Option<Rc<Matrix>>,
     /// What steps have left, in half-lengths, and how much of that another one would leave.
     pub(super) left: f64,
     rate: f64,
     /// Whether that is rounding.
     pub(super) is_rounding: bool,
+    /// What kernels are resolved to, relative.
+    pub(super) negligible: f64,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
     pub(super) left_out: Vec<f64>,
     /// Whether each contact is next to a graded face.
@@ -54,7 +58,10 @@ impl Approximation {
     /// With ends that have taken their last steps, and pressures to first order in these; `None` if intervals vanish.
     fn moved(self, problem: &Problem, layout: &Layout, looks: &[Look]) -> Option<Self> {
         let step = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step };
-        let steps: Vec<f64> = looks.iter().map(step).collect();
+        let mut steps: Vec<f64> = looks.iter().map(step).collect();
+        if let Some(derivatives) = &self.derivatives {
+            derivatives.improve(looks, &mut steps);
+        }
         let support = moved(problem, &self.support, &steps)?;
         // where an end has moved no pressure is singular but for what fewer terms make
         let mut all = steps.iter().zip(looks).map(|(step, look)| if *step == 0.0 { 0.0 } else { look.q });
@@ -76,6 +83,11 @@ impl Approximation {
         let coarser = self.coarser.map(on);
         let regular = regular(&Equations::new(problem, layout, &support, &self.counts), &support, &solved);
         Some(Self { solved, regular, coarser, support, ..self })
+    }
+
+    /// How far ends may still move, in half-lengths, with more terms.
+    fn still_moves(&self) -> f64 {
+        SAFETY * (self.left + largest(self.moves().into_iter().map(|[last, _]| last.abs())))
     }
 
     /// With two thirds of the terms between the same ends.
@@ -156,15 +168,16 @@ pub(super) fn converge(
         if let Some(changed) = changed(&support, &solved.pressures) {
             return Err(Failure::Changed(changed));
         }
-        newton.rate = match newton.progress.last.is_finite() {
+        newton.rate = match newton.taken {
             _ if !is_smooth => 1.0,
-            true => newton.left / newton.progress.last,
-            false => newton.rate,
+            Some(taken) => newton.left / taken,
+            None => newton.rate,
         };
         if newton.is_converged(&support, &solved.pressures) {
             let mut level = newton.approximation(&equations, &support, solved.clone()).ok_or_else(stuck)?;
             if newton.is_enough(&level) {
                 let solution = (&level.support, &level.solved.pressures[..]);
+                level.negligible = negligible;
                 level.left_out = left_out(problem, &layout, &lengths.shortest, least, solution);
                 let level = if is_smooth { level.moved(problem, &layout, &looks) } else { Some(level) };
                 return level.ok_or_else(stuck);
@@ -181,7 +194,7 @@ pub(super) fn converge(
         };
         let steps = newton.steps(&equations, &support, &looks, perturbed).ok_or_else(stuck)?;
         let next = moved(problem, &support, &steps).ok_or_else(stuck)?;
-        newton.take((support, solved));
+        newton.take((support, solved), &steps);
         (support, laid_out) = (next, Some((layout, about)));
     }
 }
@@ -202,10 +215,16 @@ struct Newton<'a> {
     /// The longest of the steps of ends that are to be taken, and what these and changes of terms leave.
     farthest: f64,
     left: f64,
-    /// How much of that a step leaves, from the last two lists, or from the solution with fewer terms.
+    /// The longest of the steps that were taken from the list before, or what terms had left there.
+    taken: Option<f64>,
+    /// How much a step leaves of what it takes, from the last two lists, or from the solution with fewer terms.
     rate: f64,
     progress: Progress,
+    /// The longest first step that is expected, in half-lengths.
+    expected: f64,
     derivatives: Derivatives,
+    /// The derivatives that were known of the solution with fewer terms.
+    before: Option<Rc<Matrix>>,
 }
 
 impl<'a> Newton<'a> {
@@ -220,9 +239,12 @@ impl<'a> Newton<'a> {
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
             farthest: 0.0,
             left: f64::INFINITY,
+            taken: None,
             rate: before.map_or(1.0, |before| before.rate),
+            expected: before.map_or(f64::INFINITY, Approximation::still_moves),
             progress: Progress::default(),
             derivatives: Derivatives::default(),
+            before: before.and_then(|before| before.derivatives.clone()),
         }
     }
 
@@ -249,7 +271,8 @@ impl<'a> Newton<'a> {
                 // corrections between the same ends cost little, and steps leave no less than their square
                 let leads_on = changed_by <= SLOW * changed;
                 let is_exact = MINOR * changed_by <= self.farthest.powi(2).max(self.enough);
-                let is_no_worse = self.left <= self.farthest.max(self.enough) && self.left <= SLOW * self.progress.last;
+                let is_no_worse = self.left <= self.farthest.max(self.enough)
+                    && self.left <= self.expected.min(SLOW * self.progress.last);
                 if is_no_worse && (is_exact || !leads_on) {
                     return Some((solved, looks));
                 }
@@ -314,9 +337,11 @@ impl<'a> Newton<'a> {
             solved,
             coarser,
             kept: self.kept.clone(),
+            derivatives: self.derivatives.matrix.clone().or_else(|| self.before.clone()),
             left: self.leaves(),
             rate: self.rate,
             is_rounding: self.is_rounding(),
+            negligible: 0.0,
             left_out: Vec::new(),
             graded: (0..equations.columns.len()).map(|i| !kernel.asymptote(i).is_constant()).collect(),
         })
@@ -347,9 +372,10 @@ impl<'a> Newton<'a> {
         Some(steps)
     }
 
-    /// Takes note of the next list.
-    fn take(&mut self, (support, solved): (Intervals, Solved)) {
-        self.last = Some((support, solved));
+    /// Takes note of a list, and of the steps from there to the next.
+    fn take(&mut self, last: (Intervals, Solved), steps: &[f64]) {
+        self.taken = Some(if self.left > self.farthest { self.left } else { longest(steps.iter().copied()) });
+        self.last = Some(last);
     }
 }
 

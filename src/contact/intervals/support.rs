@@ -5,6 +5,9 @@ use crate::contact::problem::modes::alternating;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::bessel::Wanted;
 
+/// Neighbours' intervals whose lengths differ by a larger factor are not alike: their pressures have their resultants in common, and no more.
+const ALIKE: f64 = 10.0;
+
 /// What the mirror image of an interval about x = 0 is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Parity {
@@ -156,12 +159,20 @@ impl Intervals {
         &self.0[first..after]
     }
 
+    /// Whether the lists of the contacts above and below a laminate are alike: as many intervals of the same kinds and nearly the same lengths.
+    pub(super) fn are_alike(&self, laminate: usize) -> bool {
+        let [above, below] = [self.of(laminate), self.of(laminate + 1)];
+        let alike = |(above, below): (&ContactInterval, &ContactInterval)| {
+            above.parity == below.parity && (above.half / below.half).ln().abs() < ALIKE.ln()
+        };
+        above.len() == below.len() && above.iter().zip(below).all(alike)
+    }
+
     /// Makes numbers of terms the same on neighbours the lists of which are alike, so that their unknowns can be counted from each other.
     pub(super) fn equalise(&self, counts: &mut [usize]) {
         let last = self.0.last().map_or(0, |interval| interval.contact);
         let first = |contact: usize| self.0.partition_point(|interval| interval.contact < contact);
-        let kinds = |contact: usize| self.of(contact).iter().map(|interval| interval.parity);
-        for laminate in (0..last).chain((0..last).rev()).filter(|laminate| kinds(*laminate).eq(kinds(laminate + 1))) {
+        for laminate in (0..last).chain((0..last).rev()).filter(|laminate| self.are_alike(*laminate)) {
             for (above, below) in (first(laminate)..first(laminate + 1)).zip(first(laminate + 1)..) {
                 let most = counts[above].max(counts[below]);
                 (counts[above], counts[below]) = (most, most);

@@ -6,7 +6,7 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::gaps::Fault;
 use crate::contact::intervals::newton::{Approximation, Failure, TOGETHER, converge};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
-use crate::contact::intervals::{refine, resolved};
+use crate::contact::intervals::{first_count, refine};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::iteration::Work;
@@ -81,7 +81,7 @@ fn changed(
             break;
         }
         work.steps.clear();
-        let of = |finer: usize| support.0.iter().map(|interval| resolved(problem, interval, finer)).collect();
+        let of = |finer: usize| support.0.iter().map(|interval| first_count(problem, interval, finer)).collect();
         let (mut counts, most): (Vec<usize>, Vec<usize>) = (of(finer), of(FINER));
         // the list is not changed for what more terms may mend
         let may_grow = finer < FINER && counts != most;
