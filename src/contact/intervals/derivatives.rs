@@ -11,7 +11,7 @@ use faer::linalg::solvers::Solve;
 use crate::contact::intervals::pressure;
 use crate::contact::intervals::steps::Look;
 use crate::contact::intervals::support::{End, Intervals};
-use crate::contact::problem::accuracy::SLOW;
+use crate::contact::problem::accuracy::{MINOR, SLOW};
 use crate::numeric::longest;
 
 /// Steps to both sides, in half-lengths, from which derivatives are found: where a thin layer lies between two contacts, intensities have large parts that grow with the square of a step, and
@@ -29,6 +29,8 @@ pub(super) struct Matrix {
     by: Mat<f64>,
     /// By which ends they are known.
     known: Vec<bool>,
+    /// The largest intensity where they were found: what an end does to the intensities at others is as large as its own.
+    of: f64,
 }
 
 /// What is known of how intensities change, and how far each end may move.
@@ -58,7 +60,11 @@ impl Derivatives {
         let wanted: Vec<bool> =
             (0..size).map(|end| q[end] != 0.0 && (is_slow || steps[end] >= pressure::FARTHEST)).collect();
         if wanted.contains(&true) {
-            self.matrix = Some(Rc::new(Matrix { by: differences(support, &wanted, q, perturbed)?, known: wanted }));
+            self.matrix = Some(Rc::new(Matrix {
+                by: differences(support, &wanted, q, perturbed)?,
+                known: wanted,
+                of: longest(q.iter().copied()),
+            }));
         }
         let (mut matrix, mut right) = equations(self.matrix.as_deref(), q, steps);
         let mut allowed = vec![LONGEST; size];
@@ -96,6 +102,11 @@ impl Derivatives {
 }
 
 impl Matrix {
+    /// Whether they were found where intensities were hardly larger than these.
+    pub(super) fn serves(&self, looks: &[Look]) -> bool {
+        MINOR * self.of < longest(looks.iter().map(|look| look.q))
+    }
+
     /// Whether an intensity falls as its end moves outwards, and vanishes after no more than the longest step.
     fn leads(&self, row: usize, q: &[f64]) -> bool {
         LONGEST * -self.by[(row, row)] > q[row].abs()

@@ -1,6 +1,7 @@
 //! How well ends and pressures are known.
 use crate::contact::intervals::gaps::Signs;
 use crate::contact::intervals::newton::Approximation;
+use crate::contact::intervals::steps::looks;
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{ENDLESS, ROUNDING, SAFETY, UNKNOWN};
@@ -139,5 +140,31 @@ impl Errors {
 
     pub(super) fn worst(&self) -> f64 {
         largest(self.ends.iter().flatten().chain(&self.pressures).copied())
+    }
+}
+
+impl Approximation {
+    /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
+    /// depends on an end.
+    pub(super) fn moves(&self) -> Vec<[f64; 2]> {
+        let [own, some, few] = [&self.solved.pressures, &self.coarser[0], &self.coarser[1]]
+            .map(|pressures| looks(&self.support, pressures));
+        let of = |k: usize| {
+            let is_weak = own[k].is_weak(own[k].step);
+            if is_weak { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
+        };
+        (0..own.len()).map(of).collect()
+    }
+
+    /// By how much farther out pressures would put the ends of each interval, in half-lengths, on which next to nothing depends; nothing for others. Where a pressure decays
+    /// outwards no end is found.
+    pub(super) fn unknown(&self) -> Vec<[f64; 2]> {
+        let looks = looks(&self.support, &self.solved.pressures);
+        let mut unknown = vec![[0.0; 2]; self.support.0.len()];
+        for (end, look) in self.support.ends().into_iter().zip(looks).filter(|(_, look)| look.is_weak(look.step)) {
+            let step = if look.q > 0.0 { ENDLESS } else { look.step.abs() };
+            unknown[end.interval][usize::from(end.side > 0.0)] = step;
+        }
+        unknown
     }
 }

@@ -11,7 +11,7 @@ use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::steps::{Look, looks, moved};
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{ENDLESS, MINOR, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{MINOR, SAFETY, SLOW};
 use crate::contact::problem::iteration::{Progress, Work};
 use crate::numeric::{largest, longest};
 
@@ -56,11 +56,14 @@ pub(super) struct Approximation {
 
 impl Approximation {
     /// With ends that have taken their last steps, and pressures to first order in these; `None` if intervals vanish.
-    fn moved(self, problem: &Problem, layout: &Layout, looks: &[Look]) -> Option<Self> {
+    fn moved(mut self, problem: &Problem, layout: &Layout, looks: &[Look]) -> Option<Self> {
         let step = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step };
         let mut steps: Vec<f64> = looks.iter().map(step).collect();
         if let Some(derivatives) = &self.derivatives {
             derivatives.improve(looks, &mut steps);
+            if !derivatives.serves(looks) {
+                (self.derivatives, self.rate) = (None, 1.0);
+            }
         }
         let support = moved(problem, &self.support, &steps)?;
         // where an end has moved no pressure is singular but for what fewer terms make
@@ -94,30 +97,6 @@ impl Approximation {
     pub(super) fn coarse(&self) -> Self {
         let solved = Solved { pressures: self.coarser[0].clone(), ..self.solved.clone() };
         Self { counts: fewer(&self.counts), solved, ..self.clone() }
-    }
-
-    /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
-    /// depends on an end.
-    pub(super) fn moves(&self) -> Vec<[f64; 2]> {
-        let [own, some, few] = [&self.solved.pressures, &self.coarser[0], &self.coarser[1]]
-            .map(|pressures| looks(&self.support, pressures));
-        let of = |k: usize| {
-            let is_weak = own[k].is_weak(own[k].step);
-            if is_weak { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
-        };
-        (0..own.len()).map(of).collect()
-    }
-
-    /// By how much farther out pressures would put the ends of each interval, in half-lengths, on which next to nothing depends; nothing for others. Where a pressure decays
-    /// outwards no end is found.
-    pub(super) fn unknown(&self) -> Vec<[f64; 2]> {
-        let looks = looks(&self.support, &self.solved.pressures);
-        let mut unknown = vec![[0.0; 2]; self.support.0.len()];
-        for (end, look) in self.support.ends().into_iter().zip(looks).filter(|(_, look)| look.is_weak(look.step)) {
-            let step = if look.q > 0.0 { ENDLESS } else { look.step.abs() };
-            unknown[end.interval][usize::from(end.side > 0.0)] = step;
-        }
-        unknown
     }
 }
 
@@ -210,12 +189,14 @@ struct Newton<'a> {
     /// Whether the factorised equations are the ones of the list itself, and whether the ones at the last list were.
     is_own: bool,
     was_own: bool,
+    /// Whether the last pressures are as exact as a step leaves them.
+    is_exact: bool,
     /// The list before, with its solution.
     last: Option<(Intervals, Solved)>,
     /// The longest of the steps of ends that are to be taken, and what these and changes of terms leave.
     farthest: f64,
     left: f64,
-    /// The longest of the steps that were taken from the list before, or what terms had left there.
+    /// The longest of the steps that were to be taken from the list before, or that were taken, if these were shorter; or what terms had left there.
     taken: Option<f64>,
     /// How much a step leaves of what it takes, from the last two lists, or from the solution with fewer terms.
     rate: f64,
@@ -236,6 +217,7 @@ impl<'a> Newton<'a> {
             kept: before.and_then(|before| before.kept.clone()).filter(|kept| kept.serves(counts)),
             is_own: false,
             was_own: false,
+            is_exact: false,
             last: before.map(|before| (before.support.clone(), before.solved.clone())),
             farthest: 0.0,
             left: f64::INFINITY,
@@ -274,6 +256,7 @@ impl<'a> Newton<'a> {
                 let is_no_worse = self.left <= self.farthest.max(self.enough)
                     && self.left <= self.expected.min(SLOW * self.progress.last);
                 if is_no_worse && (is_exact || !leads_on) {
+                    self.is_exact = is_exact;
                     return Some((solved, looks));
                 }
                 if !leads_on || is_exact {
@@ -285,7 +268,7 @@ impl<'a> Newton<'a> {
         work.operations.spend(anew)?;
         work.factorisations += 1;
         let (kept, solved) = Kept::new(equations, support, self.counts)?;
-        (self.kept, self.is_own) = (Some(Rc::new(kept)), true);
+        (self.kept, self.is_own, self.is_exact) = (Some(Rc::new(kept)), true, true);
         let looks = self.look(support, &solved, 0.0);
         Some((solved, looks))
     }
@@ -322,7 +305,7 @@ impl<'a> Newton<'a> {
 
     /// What is left once the ends have taken their steps.
     fn leaves(&self) -> f64 {
-        self.left * self.rate.min(1.0)
+        if self.is_exact { self.left * self.rate.min(1.0) } else { self.left }
     }
 
     fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
@@ -374,7 +357,8 @@ impl<'a> Newton<'a> {
 
     /// Takes note of a list, and of the steps from there to the next.
     fn take(&mut self, last: (Intervals, Solved), steps: &[f64]) {
-        self.taken = Some(if self.left > self.farthest { self.left } else { longest(steps.iter().copied()) });
+        self.taken =
+            Some(if self.left > self.farthest { self.left } else { self.left.min(longest(steps.iter().copied())) });
         self.last = Some(last);
     }
 }
