@@ -24,6 +24,8 @@ pub(super) struct Errors {
     pub(super) floor: f64,
     /// The most that is due to missing terms.
     pub(super) missing: f64,
+    /// What is due to steps of ends, which go on with as many terms.
+    pub(super) steps: f64,
     /// How much less half as many terms more change than those before.
     pub(super) fall: f64,
 }
@@ -60,7 +62,6 @@ impl Errors {
                 + level.left_out[interval.contact] / interval.half
         };
         let rests: Vec<f64> = all.iter().map(rest).collect();
-        // steps go on with more terms
         let steps = if level.is_rounding { 0.0 } else { SAFETY * level.left };
         let most = |changes: &[[f64; 2]]| largest(changes.iter().map(|[last, _]| last.abs()));
         let missing = (of_ends * most(&moves)).max(of_pressures * most(&changes));
@@ -79,6 +80,7 @@ impl Errors {
             pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
             floor: largest(rests.iter().copied()) - steps,
             missing,
+            steps,
             fall: falls[0].max(falls[1]),
         }
     }

@@ -135,18 +135,21 @@ fn first_count(problem: &Problem, interval: &ContactInterval, finer: usize) -> u
 /// # Errors
 /// What is wrong with the signs, if that is seen at the first look; nothing if there is no answer for another reason.
 fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut Work) -> Result<Answer, Option<Fault>> {
-    let (mut is_seen, mut is_first, mut was_few) = (false, true, true);
+    let (mut is_seen, mut is_first, mut was_few, few) = (false, true, true, first.counts.clone());
     let tolerance = problem.tolerance.max(BEST);
     let enough = ROUNDING.max(MINOR * tolerance);
     let (mut last, mut best, mut stalls) = (first, None::<(Errors, Approximation)>, false);
     loop {
         let errors = Errors::of(&last);
         // more terms do not help against what is due to something else; kernels and ends of the first solution have few digits
-        let is_few = std::mem::take(&mut is_first) && (tolerance < COARSE || !resolves(problem, &last));
+        let is_few =
+            std::mem::take(&mut is_first) && tolerance < COARSE || last.counts == few && !resolves(problem, &last);
         let is_done = !is_few && errors.worst() <= tolerance.max(2.0 * errors.floor);
-        let mut counts = grown(&last, &errors, tolerance);
+        // more terms do not help against what steps have left
+        let goes_on = errors.steps > errors.missing;
+        let mut counts = if goes_on { last.counts.clone() } else { grown(&last, &errors, tolerance) };
         last.support.equalise(&mut counts);
-        let is_finest = !is_few && counts == last.counts;
+        let is_finest = !is_few && !goes_on && counts == last.counts;
         // errors of few terms may be small by chance
         let is_better = std::mem::replace(&mut was_few, is_few)
             || best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
