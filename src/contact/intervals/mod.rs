@@ -141,15 +141,15 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
     let (mut last, mut best, mut stalls) = (first, None::<(Errors, Approximation)>, false);
     loop {
         let errors = Errors::of(&last);
-        // more terms do not help against what is due to something else; kernels and ends of the first solution have few digits
-        let is_few =
-            std::mem::take(&mut is_first) && tolerance < COARSE || last.counts == few && !resolves(problem, &last);
+        // kernels and ends of the first solution have few digits
+        let is_rough = std::mem::take(&mut is_first) && tolerance < COARSE;
+        let is_few = is_rough || last.counts == few && !resolves(problem, &last);
+        // more terms do not help against what is due to something else, nor against what steps have left
         let is_done = !is_few && errors.worst() <= tolerance.max(2.0 * errors.floor);
-        // more terms do not help against what steps have left
-        let goes_on = errors.steps > errors.missing;
+        let goes_on = errors.steps > errors.missing.max(SAFETY * enough);
         let mut counts = if goes_on { last.counts.clone() } else { grown(&last, &errors, tolerance) };
         last.support.equalise(&mut counts);
-        let is_finest = !is_few && !goes_on && counts == last.counts;
+        let is_finest = !is_rough && !goes_on && counts == last.counts;
         // errors of few terms may be small by chance
         let is_better = std::mem::replace(&mut was_few, is_few)
             || best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
