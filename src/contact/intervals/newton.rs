@@ -150,10 +150,11 @@ pub(super) fn converge(
         newton.rate = match newton.taken {
             _ if !is_smooth => 1.0,
             Some(taken) => newton.left / taken,
+            None if newton.before.as_ref().is_some_and(|before| !before.serves(&looks)) => 1.0,
             None => newton.rate,
         };
         if newton.is_converged(&support, &solved.pressures) {
-            let mut level = newton.approximation(&equations, &support, solved.clone()).ok_or_else(stuck)?;
+            let mut level = newton.approximation(&equations, &support, solved.clone(), &looks).ok_or_else(stuck)?;
             if newton.is_enough(&level) {
                 let solution = (&level.support, &level.solved.pressures[..]);
                 level.negligible = negligible;
@@ -308,7 +309,13 @@ impl<'a> Newton<'a> {
         if self.is_exact { self.left * self.rate.min(1.0) } else { self.left }
     }
 
-    fn approximation(&self, equations: &Equations, support: &Intervals, solved: Solved) -> Option<Approximation> {
+    fn approximation(
+        &self,
+        equations: &Equations,
+        support: &Intervals,
+        solved: Solved,
+        looks: &[Look],
+    ) -> Option<Approximation> {
         let kept = self.kept.as_ref()?;
         let coarser = kept.with_fewer(equations, &solved, self.counts)?;
         let kernel = equations.problem.kernel;
@@ -320,7 +327,7 @@ impl<'a> Newton<'a> {
             solved,
             coarser,
             kept: self.kept.clone(),
-            derivatives: self.derivatives.matrix.clone().or_else(|| self.before.clone()),
+            derivatives: self.derivatives.matrix.clone().or(self.before.clone().filter(|before| before.serves(looks))),
             left: self.leaves(),
             rate: self.rate,
             is_rounding: self.is_rounding(),
