@@ -20,6 +20,8 @@ pub(super) struct Errors {
     pub(super) ends: Vec<[f64; 2]>,
     /// Of the pressure in the middle of each interval, relative to the largest of these of the contact.
     pub(super) pressures: Vec<f64>,
+    /// Whether terms resolve the layers at the faces of contacts.
+    pub(super) resolves: bool,
     /// The most that is due to something else than the number of terms.
     pub(super) floor: f64,
     /// The most that is due to missing terms.
@@ -32,7 +34,7 @@ pub(super) struct Errors {
 
 impl Errors {
     /// Estimates them from what the last third of the terms changes, and how much less that is than what the third before changes.
-    pub(super) fn of(level: &Approximation) -> Self {
+    pub(super) fn of(level: &Approximation, resolves: bool) -> Self {
         let all = &level.support.0;
         let moves = level.moves();
         let [own, some, few] = [&level.solved.pressures, &level.coarser[0], &level.coarser[1]]
@@ -44,8 +46,8 @@ impl Errors {
         let changes: Vec<[f64; 2]> = (0..all.len()).map(differ).collect();
         // next to graded faces changes fall like a power
         let least = match level.graded.contains(&true) {
-            // under a kink changes may be small by chance
-            _ if level.local.iter().any(|local| !local.terms.is_empty()) => LEAST_FALL_KINKED,
+            // under a kink, or where terms do not resolve the layers at the faces, changes may be small by chance
+            _ if !resolves || level.local.iter().any(|local| !local.terms.is_empty()) => LEAST_FALL_KINKED,
             true => LEAST_FALL_GRADED,
             false => LEAST_FALL,
         };
@@ -81,6 +83,7 @@ impl Errors {
             floor: largest(rests.iter().copied()) - steps,
             missing,
             steps,
+            resolves,
             fall: falls[0].max(falls[1]),
         }
     }

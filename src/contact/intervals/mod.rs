@@ -140,10 +140,10 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
     let enough = ROUNDING.max(MINOR * tolerance);
     let (mut last, mut best, mut stalls) = (first, None::<(Errors, Approximation)>, false);
     loop {
-        let errors = Errors::of(&last);
+        let errors = Errors::of(&last, resolves(problem, &last));
         // kernels and ends of the first solution have few digits
         let is_rough = std::mem::take(&mut is_first) && tolerance < COARSE;
-        let is_few = is_rough || last.counts == few && !resolves(problem, &last);
+        let is_few = is_rough || last.counts == few && !errors.resolves;
         // more terms do not help against what is due to something else, nor against what steps have left
         let is_done = !is_few && errors.worst() <= tolerance.max(2.0 * errors.floor);
         let goes_on = errors.steps > errors.missing.max(SAFETY * enough);
