@@ -112,7 +112,7 @@ impl Matrix {
         LONGEST * -self.by[(row, row)] > q[row].abs()
     }
 
-    /// Newton's steps of ends that move, in place of those that pressures tell.
+    /// Replaces the steps that pressures tell, where these are not zero, by Newton's steps.
     pub(super) fn improve(&self, looks: &[Look], steps: &mut [f64]) {
         let q: Vec<f64> =
             looks.iter().zip(&*steps).map(|(look, step)| if *step == 0.0 { 0.0 } else { look.q }).collect();

@@ -202,7 +202,7 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
     Ok(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 
-/// Whether terms resolve the layers at the faces of all contacts: those of fewer terms tell nothing of errors.
+/// Whether terms resolve the layers at the faces of all contacts. Solutions with fewer terms do not tell their errors.
 fn resolves(problem: &Problem, level: &Approximation) -> bool {
     level.support.0.iter().zip(&level.counts).all(|(interval, count)| *count >= resolving(problem, interval))
 }
