@@ -13,9 +13,8 @@ use crate::solution::{Contact, Interface, Solution};
 
 /// Relative error of the pressures that a unit force adds; a hundredth of it takes ten times as long next to graded faces.
 const TOLERANCE: f64 = 1e-9;
-/// Multiplications at most, about a second: next to graded faces singular pressures converge slowly, and a stiffness is not worth more time.
-/// Twice as many give no digit more, half as many lose up to two.
-const MOST: f64 = 2e10;
+/// Multiplications at most, about a quarter of a second: a stiffness is not worth more time than a solution. Four times as many: one more digit of some long contacts.
+const MOST: f64 = 5e9;
 
 /// The pressures that a unit force adds to the pressures of a solution; `None` where a contact is not one interval about x = 0.
 pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option<Result<Solution, ContactError>> {

@@ -8,7 +8,7 @@
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
 //! solved without these waves, and that change is part of the error.
-use crate::contact::problem::accuracy::{ENDLESS, ROUNDING, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{COARSE, ENDLESS, ROUNDING, SAFETY, SLOW};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -36,34 +36,28 @@ struct Thin<'a> {
 /// Terms of a pressure that count as the first and as the last ones where layers are judged. Twice as many: layers are left out only half as thick as now.
 const COARSEST: usize = 8;
 const FINEST: usize = 512;
-/// Layers are judged again next to contacts that are longer or shorter than they were taken to be by more than an octave: so far the
-/// margin of the error of what is left out reaches.
-const AS_LONG: f64 = std::f64::consts::LN_2;
-/// How often layers are judged thin: by the contacts that formulas expect, and by those found without them.
-const JUDGED: usize = 2;
+/// The part of all operations after which contacts are not looked for any more where layers are to be judged. Twice as many: scenes that are not solved take longer.
+const ROUGH: f64 = 0.02;
 
 /// Solves with `solve`, without what only layers much thinner than a contact change in the kernels if that makes the smaller
 /// error.
 ///
-/// Which layers these are is judged by the contacts that were found: those that formulas expect may be wrong by any factor.
+/// Which layers these are is judged by contacts that were found to a few digits, without the layers that are thin next to contacts that formulas expect: the
+/// latter may be wrong by any factor.
 pub(super) fn solve(
     problem: &Problem,
     solve: impl Fn(&Problem) -> Result<Answer, ContactError>,
 ) -> Result<Answer, ContactError> {
     let mut half_lengths = formulas::half_lengths(problem);
-    for _ in 0..JUDGED {
-        let Some(thin) = Thin::new(problem, half_lengths.clone())? else { break };
-        let (answer, is_whole) = thin.solve(problem, &solve)?;
-        let mut is_as_judged = true;
-        for (found, i) in answer.contacts.iter().zip(problem.unknown()) {
-            let before = std::mem::replace(&mut half_lengths[i], found.innermost().right);
-            is_as_judged &= (half_lengths[i] / before).ln().abs() <= AS_LONG;
-        }
-        if is_whole || is_as_judged {
-            return Ok(answer);
-        }
+    let Some(expected) = Thin::new(problem, half_lengths.clone())? else { return solve(problem) };
+    if let Ok(rough) = expected.without(problem, problem.tolerance.max(COARSE), ROUGH * problem.operations, &solve) {
+        let found = rough.contacts.iter().zip(problem.unknown());
+        found.for_each(|(found, i)| half_lengths[i] = found.innermost().right);
     }
-    solve(problem)
+    match Thin::new(problem, half_lengths)? {
+        Some(thin) => thin.solve(problem, &solve),
+        None => solve(problem),
+    }
 }
 
 /// The largest relative error of an answer.
@@ -100,31 +94,40 @@ impl<'a> Thin<'a> {
         Ok((!thin.contacts.is_empty() || !thin.joined.is_empty()).then_some(thin))
     }
 
-    /// Solves without what is thin, or the whole problem where that makes the smaller error; whether it was the whole problem.
+    /// Solves without what is thin, or the whole problem where that makes the smaller error.
     fn solve(
         &self,
         problem: &Problem,
-        solve: impl Fn(&Problem) -> Result<Answer, ContactError>,
-    ) -> Result<(Answer, bool), ContactError> {
-        let without = |operations: f64| {
-            let interfaces = self.interfaces(problem.interfaces);
-            // no more digits are of use than are left
-            let tolerance = problem.tolerance.max(0.1 * self.error);
-            let simpler = Problem { operations, ..problem.on(&self.kernel, &interfaces, tolerance) };
-            solve(&simpler).map(|answer| (self.admit(answer, problem), false))
-        };
+        solve: &impl Fn(&Problem) -> Result<Answer, ContactError>,
+    ) -> Result<Answer, ContactError> {
+        // with and without together take half as long again as one of them at most
+        let without = || self.without(problem, problem.tolerance, 0.5 * problem.operations, solve);
         if self.error <= problem.tolerance || self.is_unresolved() {
-            return without(problem.operations).or_else(|_| Ok((solve(problem)?, true)));
+            return without().or_else(|_| solve(problem));
         }
         let whole = solve(problem);
         if whole.as_ref().is_ok_and(|whole| worst(whole) <= self.error) {
-            return Ok((whole?, true));
+            return whole;
         }
-        // both together take half as long again as one at most
-        match without(0.5 * problem.operations) {
-            Ok((less, _)) if !whole.as_ref().is_ok_and(|whole| worst(whole) <= worst(&less)) => Ok((less, false)),
-            _ => Ok((whole?, true)),
+        match without() {
+            Ok(less) if !whole.as_ref().is_ok_and(|whole| worst(whole) <= worst(&less)) => Ok(less),
+            _ => whole,
         }
+    }
+
+    /// Solves without what is thin.
+    fn without(
+        &self,
+        problem: &Problem,
+        tolerance: f64,
+        operations: f64,
+        solve: &impl Fn(&Problem) -> Result<Answer, ContactError>,
+    ) -> Result<Answer, ContactError> {
+        let interfaces = self.interfaces(problem.interfaces);
+        // no more digits are of use than are left
+        let tolerance = tolerance.max(0.1 * self.error);
+        let simpler = Problem { operations, ..problem.on(&self.kernel, &interfaces, tolerance) };
+        solve(&simpler).map(|answer| self.admit(answer, problem))
     }
 
     /// Leaves out the laminate below a contact, which is one with the next contact then, if modes do not resolve how far the
@@ -163,8 +166,10 @@ impl<'a> Thin<'a> {
         let solved = self.interfaces(problem.interfaces);
         for contact in &mut answer.contacts {
             for interval in &mut contact.intervals {
-                interval.left_error += self.error * interval.left.abs();
-                interval.right_error += self.error * interval.right.abs();
+                let [left, right] = [interval.left, interval.right].map(f64::abs);
+                // of an end that is not found no more than all
+                interval.left_error = (interval.left_error + self.error * left).min(left);
+                interval.right_error = (interval.right_error + self.error * right).min(right);
             }
             contact.peak_error += self.error * contact.peak.abs();
         }

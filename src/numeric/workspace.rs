@@ -14,9 +14,13 @@ impl Workspace {
     pub(crate) fn take(&self, length: usize) -> Vec<f64> {
         let last_long_enough = |kept: &mut Vec<Vec<f64>>| {
             let place = kept.iter().rposition(|numbers| numbers.capacity() >= length);
-            place.map(|place| kept.swap_remove(place)).or_else(|| kept.pop())
+            // a shorter one gives way to one that is long enough
+            kept.pop_if(|_| place.is_none());
+            place.map(|place| kept.swap_remove(place))
         };
-        let mut numbers = self.0.lock().ok().and_then(|mut kept| last_long_enough(&mut kept)).unwrap_or_default();
+        let Some(mut numbers) = self.0.lock().ok().and_then(|mut kept| last_long_enough(&mut kept)) else {
+            return vec![0.0; length];
+        };
         numbers.resize(length, 0.0);
         numbers
     }
