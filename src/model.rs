@@ -103,12 +103,13 @@ impl Model {
         // given loads alone ask for no contact
         let is_known = top.loads().is_some() && self.kernel.contacts() == 1;
         let to = |tolerance: f64, force: f64| contact::press(&Asked { tolerance, ..asked }, force);
-        let press = |force: f64| match self.curves.as_ref().filter(|_| !is_known) {
+        let press = |tolerance: f64, force: f64| match self.curves.as_ref().filter(|_| !is_known) {
+            // solutions between which others are interpolated have all digits
             Some(curves) => curves.press(top, options.tolerance, force, to),
-            None => contact::press(&asked, force),
+            None => to(tolerance, force),
         };
         match force {
-            Force::Given(force) => Ok(press(force)?),
+            Force::Given(force) => Ok(press(options.tolerance, force)?),
             Force::ForHalfLength(wanted) => {
                 let wanted = (Controlled::HalfLength, wanted);
                 contact::press_to(&self.kernel, top, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))

@@ -5,7 +5,7 @@
 use std::f64::consts::LN_2;
 
 use crate::contact::error::{ContactError, Controlled, NoSolution};
-use crate::contact::problem::accuracy::BEST;
+use crate::contact::problem::accuracy::{BEST, COARSE};
 use crate::contact::problem::profile::Profile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::starts::formulas;
@@ -27,14 +27,14 @@ pub(crate) struct Measured {
     pub(crate) error: f64,
 }
 
-/// Presses a punch on a stack until what is prescribed is as large as wanted; `press` presses with a force, `measure` tells how large it is
-/// then.
+/// Presses a punch on a stack until what is prescribed is as large as wanted; `press` presses to a tolerance with a force, `measure` tells how large it is
+/// then. The force is found to a few digits first.
 pub(crate) fn press_to<E: From<ContactError>>(
     kernel: &Kernel,
     top: &Top,
     (controlled, wanted): (Controlled, f64),
     options: &Options,
-    press: impl Fn(f64) -> Result<Solution, ContactError>,
+    press: impl Fn(f64, f64) -> Result<Solution, ContactError>,
     measure: impl Fn(&Solution) -> Result<Measured, E>,
 ) -> Result<Solution, E> {
     let punch = even_punch(top, controlled)?;
@@ -47,46 +47,28 @@ pub(crate) fn press_to<E: From<ContactError>>(
     if is_length && (wanted <= flat || edge.is_some_and(|edge| wanted >= edge)) {
         return Err(unreachable(edge, Some(flat)).into());
     }
-    let enough = MET * options.tolerance.max(BEST);
-    let (trial, slope) = first_guess(kernel, punch, controlled, wanted);
-    let mut search = Search { enough, trial, slope, tried: Vec::new() };
-    let mut all = Stats::default();
-    for _ in 0..TRIALS {
-        let force = search.trial.exp();
-        if !force.is_normal() {
-            let [below, above] = search.reached(edge);
-            return Err(unreachable(below, above).into());
-        }
-        search.note(match press(force) {
-            Ok(mut solution) => {
-                all.newton_steps.append(&mut solution.stats.newton_steps);
-                all.factorisations += solution.stats.factorisations;
-                all.interpolated += solution.stats.interpolated;
-                let Measured { value, error } = measure(&solution)?;
-                let (missing, error) = ((wanted / value).ln(), error / value);
-                if missing.abs() <= enough.max(MET * error) {
-                    let Stats { newton_steps, factorisations, interpolated, .. } = all;
-                    let stats = Stats { newton_steps, factorisations, interpolated, ..solution.stats };
-                    let force_error = search.slope_to(missing) * (error + missing.abs()) * force;
-                    return Ok(Solution { force_error, stats, ..solution });
-                }
-                Outcome::Solved { missing, value }
-            }
-            // so much that the punch is too small for it
-            Err(ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => Outcome::TooLarge,
-            Err(ContactError::NoSolution(failure)) => Outcome::Failed(failure),
-            Err(error) => return Err(error.into()),
-        });
-        if search.is_narrow() {
-            break;
-        }
+    let mut work = Stats::default();
+    let mut find = |tolerance: f64, guess: [f64; 2]| {
+        let mut search = Search::new(tolerance, guess);
+        let found = search.find(wanted, |force| press(tolerance, force), &measure, &mut work)?;
+        Ok::<_, E>((found, search))
+    };
+    let mut guess = first_guess(kernel, punch, controlled, wanted);
+    if options.tolerance < COARSE {
+        let (rough, search) = find(COARSE, guess)?;
+        guess = rough.map_or(guess, |_| [search.trial, search.slope]);
+    }
+    let (found, mut search) = find(options.tolerance, guess)?;
+    if let Some(found) = found {
+        let Stats { newton_steps, factorisations, interpolated, .. } = work;
+        return Ok(Solution { stats: Stats { newton_steps, factorisations, interpolated, ..found.stats }, ..found });
     }
     let [below, above] = search.reached(edge);
-    let is_narrow = search.is_narrow();
+    let ends = search.is_narrow() || !search.trial.exp().is_normal();
     let cause = match search.tried.pop() {
         Some((_, Outcome::Failed(failure))) => Some(Box::new(failure)),
-        // it jumps from one to the other
-        _ if is_narrow => return Err(unreachable(below, above).into()),
+        // it jumps from one to the other, or there is no such force
+        _ if ends => return Err(unreachable(below, above).into()),
         _ => None,
     };
     let punch = top.label(kernel.geometry());
@@ -123,6 +105,52 @@ struct Search {
 }
 
 impl Search {
+    /// From ln P and the slope to begin with.
+    fn new(tolerance: f64, [trial, slope]: [f64; 2]) -> Self {
+        Self { enough: MET * tolerance.max(BEST), trial, slope, tried: Vec::new() }
+    }
+
+    /// The solution with what is wanted, if it is found, what all took, and the next force that would be tried.
+    fn find<E: From<ContactError>>(
+        &mut self,
+        wanted: f64,
+        press: impl Fn(f64) -> Result<Solution, ContactError>,
+        measure: impl Fn(&Solution) -> Result<Measured, E>,
+        work: &mut Stats,
+    ) -> Result<Option<Solution>, E> {
+        for _ in 0..TRIALS {
+            let force = self.trial.exp();
+            if !force.is_normal() {
+                break;
+            }
+            let outcome = match press(force) {
+                Ok(mut solution) => {
+                    work.newton_steps.append(&mut solution.stats.newton_steps);
+                    work.factorisations += solution.stats.factorisations;
+                    work.interpolated += solution.stats.interpolated;
+                    let Measured { value, error } = measure(&solution)?;
+                    let (missing, error) = ((wanted / value).ln(), error / value);
+                    if missing.abs() <= self.enough.max(MET * error) {
+                        self.slope = self.slope_to(missing);
+                        self.trial += self.slope * missing;
+                        let force_error = self.slope * (error + missing.abs()) * force;
+                        return Ok(Some(Solution { force_error, ..solution }));
+                    }
+                    Outcome::Solved { missing, value }
+                }
+                // so much that the punch is too small for it
+                Err(ContactError::NoSolution(NoSolution::PunchTooSmall { .. })) => Outcome::TooLarge,
+                Err(ContactError::NoSolution(failure)) => Outcome::Failed(failure),
+                Err(error) => return Err(error.into()),
+            };
+            self.note(outcome);
+            if self.is_narrow() {
+                break;
+            }
+        }
+        Ok(None)
+    }
+
     /// ln P and value of the largest force known to be too small, and of the smallest known to be too large, for which the value is not known if the
     /// punch is too small for it; infinite where there is none.
     fn bracket(&self) -> [(f64, Option<f64>); 2] {
@@ -221,19 +249,19 @@ fn scattered(number: usize) -> f64 {
 }
 
 /// ln P to begin with, and its derivative with respect to the logarithm of what is prescribed.
-fn first_guess(kernel: &Kernel, punch: &Punch, controlled: Controlled, wanted: f64) -> (f64, f64) {
+fn first_guess(kernel: &Kernel, punch: &Punch, controlled: Controlled, wanted: f64) -> [f64; 2] {
     let expected = |half_length: f64| expected(kernel, punch, half_length).ln();
     match controlled {
         Controlled::HalfLength => {
             let trial = expected(wanted);
             let slope = (trial - expected(0.5 * wanted)) / LN_2;
             // the compliance that is expected may fall faster than any body's; by Hertz P is like a²
-            (trial, if slope.is_finite() && slope > 0.0 { slope } else { 2.0 })
+            [trial, if slope.is_finite() && slope > 0.0 { slope } else { 2.0 }]
         }
         // by Hertz P is like δ but for a logarithm, and under a flat punch it is proportional to δ
         Controlled::Approach => {
             let trial = expected(length_at(punch, wanted));
-            (if trial.is_finite() { trial } else { (kernel.modulus() * wanted).ln() }, 1.0)
+            [if trial.is_finite() { trial } else { (kernel.modulus() * wanted).ln() }, 1.0]
         }
     }
 }

@@ -47,9 +47,7 @@ const COARSEST: usize = 12;
 const FINEST: usize = 768;
 /// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
-const MOST_GROWTH: f64 = 2.25;
-/// Few terms grow by this factor at most: they cost next to nothing, and each level some time of its own. As little as others: the source paper's full model takes half a millisecond longer.
-const MOST_GROWTH_OF_FEW: f64 = 3.0;
+const MOST_GROWTH: f64 = 2.6;
 /// Signs are looked at before there are more terms on an interval.
 const MANY: usize = 64;
 /// A layout serves lists whose ends differ by this much, relative.
@@ -172,8 +170,25 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
             Err(_) => break,
         }
     }
-    let (mut errors, mut level) = best.ok_or(None)?;
-    level.local = local::locals(problem, &level.support, &level.solved, |_| 4 * FINEST);
+    let (errors, level) = best.ok_or(None)?;
+    // a list that has passed the first look is not changed any more
+    answered(problem, level, errors, leaves_out, work).map_err(|fault| fault.filter(|_| !is_seen))
+}
+
+/// The answer that a solution is with its errors, though intervals that carry next to nothing may be left out.
+///
+/// # Errors
+/// What is wrong with its signs; nothing if it is not known well enough.
+fn answered(
+    problem: &Problem,
+    mut level: Approximation,
+    mut errors: Errors,
+    leaves_out: bool,
+    work: &Work,
+) -> Result<Answer, Option<Fault>> {
+    if problem.tolerance < COARSE {
+        level.local = local::locals(problem, &level.support, &level.solved, |_| 4 * FINEST);
+    }
     let middle = level.middle_pressures(&level.solved.pressures);
     for (k, error) in errors.pressures.iter_mut().enumerate() {
         *error += SAFETY * level.local[k].error / level.largest_pressure(level.support.0[k].contact, &middle);
@@ -184,8 +199,7 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
     }
     let mut warnings = Vec::new();
     warnings.extend(precision(problem.tolerance, errors.worst(), level.counts.iter().copied().max().unwrap_or(0)));
-    let signs =
-        gaps::check(problem, &level, errors.worst(), leaves_out).map_err(|fault| Some(fault).filter(|_| !is_seen))?;
+    let signs = gaps::check(problem, &level, errors.worst(), leaves_out).map_err(Some)?;
     errors.admit(&level, &signs);
     warnings.extend(signs.recontacts.iter().map(|recontact| recontact.warning(problem)));
     warnings.extend(problem.unknown().filter_map(|contact| errors.unknown_end(problem, &level.support, contact)));
@@ -233,8 +247,7 @@ fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
             return *count;
         }
         let steps = (error / tolerance).ln() / -errors.fall.ln();
-        let most = (MANY as f64 / *count as f64).clamp(MOST_GROWTH, MOST_GROWTH_OF_FEW);
-        let growth = LEAST_GROWTH.powf(steps.max(1.0)).min(most);
+        let growth = LEAST_GROWTH.powf(steps.max(1.0)).min(MOST_GROWTH);
         ((growth * *count as f64) as usize).min(FINEST.max(*count))
     };
     level.counts.iter().zip(&weights).map(grown).collect()

@@ -22,9 +22,9 @@ impl Default for Progress {
 }
 
 impl Progress {
-    /// Whether a step is rounding: hardly shorter than the last one, which was shorter than `short` already.
+    /// Whether a step is rounding: hardly shorter than the shortest one before, which was shorter than `short` already.
     pub(crate) fn is_rounding(&self, step: f64, short: f64) -> bool {
-        self.last < short && step > SLOW * self.last
+        self.shortest < short && step > SLOW * self.shortest
     }
 
     /// Counts a step; whether there may be another.

@@ -84,20 +84,20 @@ impl Slopes {
     /// Adds places to the first `count` rows, by the recurrence of the tests.
     fn add(&mut self, step: usize, count: usize, places: &[Node]) {
         let steps: Vec<[f64; 3]> = (0..count).map(|m| self.twin.steps(m, step)).collect();
+        let mut sums = vec![[0.0; LANES]; count.min(self.rows.len())];
         vectorised(
             #[inline(always)]
             || {
                 for some in places.chunks(LANES) {
-                    let [mut turn, mut test, mut before] = [[0.0; LANES]; 3];
-                    let mut own = [0.0; LANES];
+                    let [mut turn, mut test, mut before, mut own] = [[0.0; LANES]; 4];
                     for (lane, (theta, part)) in some.iter().enumerate() {
                         let s = theta.cos();
                         let start = if step == 2 { [(2.0 * theta).cos(), s, -s] } else { [s, 1.0, s] };
                         [turn[lane], test[lane], before[lane]] = start;
                         own[lane] = *part;
                     }
-                    for (row, [up, stay, down]) in self.rows.iter_mut().zip(&steps) {
-                        (0..LANES).for_each(|lane| *row += own[lane] * test[lane]);
+                    for (sum, [up, stay, down]) in sums.iter_mut().zip(&steps) {
+                        (0..LANES).for_each(|lane| sum[lane] += own[lane] * test[lane]);
                         for lane in 0..LANES {
                             let next = (up * turn[lane] + stay) * test[lane] - down * before[lane];
                             (before[lane], test[lane]) = (test[lane], next);
@@ -106,6 +106,7 @@ impl Slopes {
                 }
             },
         );
+        self.rows.iter_mut().zip(&sums).for_each(|(row, sum)| *row += sum.iter().sum::<f64>());
     }
 }
 
