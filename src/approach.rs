@@ -26,7 +26,7 @@ const PLACE: f64 = 0.3;
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
 /// Neighbours' contacts that are as long as each other to so many octaves are averaged over the same length: a layer much thinner than that bends so easily that
-/// rounding of pressures moves both of its faces by far more than it brings them together. Twice as many: nothing changes but the number of wavenumbers.
+/// errors of pressures move both of its faces by far more than they bring them together. Twice as many: nothing changes but the number of wavenumbers.
 const ALIKE: f64 = 1.0;
 /// Relative error of a sum over wavenumbers.
 const ROUNDING: f64 = 1e-12;

@@ -131,7 +131,7 @@ impl Search {
                     let Measured { value, error } = measure(&solution)?;
                     let (missing, error) = ((wanted / value).ln(), error / value);
                     if missing.abs() <= self.enough.max(MET * error) {
-                        self.slope = self.slope_to(missing);
+                        // the last step is too short to tell the slope
                         self.trial += self.slope * missing;
                         let force_error = self.slope * (error + missing.abs()) * force;
                         return Ok(Some(Solution { force_error, ..solution }));

@@ -13,8 +13,8 @@ use crate::solution::{Contact, Interface, Solution};
 
 /// Relative error of the pressures that a unit force adds; a hundredth of it takes ten times as long next to graded faces.
 const TOLERANCE: f64 = 1e-9;
-/// Multiplications at most, about half a second: a stiffness is not worth more time than a solution. Twice as many: one more digit of some long contacts.
-const MOST: f64 = 1e10;
+/// Multiplications at most, about a second: a stiffness is not worth more time than a solution. Half as many: a digit less of some long contacts.
+const MOST: f64 = 2e10;
 
 /// The pressures that a unit force adds to the pressures of a solution; `None` where a contact is not one interval about x = 0.
 pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option<Result<Solution, ContactError>> {

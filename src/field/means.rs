@@ -20,6 +20,8 @@ use crate::system::Unresolved;
 pub(crate) const FLAT: usize = 12;
 /// A mean has less than 1e-12 of a wave beyond the wavenumber LAST/a: it is left out.
 const LAST: f64 = 80.0;
+/// Waves with smaller z squeeze a laminate like those with this one, since it gives way by even functions of the wavenumber: to the square of this.
+const LONG: f64 = 1e-4;
 /// Next to z = 0 the mean of a wave less 1 is the sum of this many terms of a series; without cancellation up to there.
 const SERIES: f64 = 4.0;
 const TERMS: i32 = 16;
@@ -74,29 +76,41 @@ impl Field {
         });
         let is_round = self.geometry.is_axisymmetric();
         let mut sums = [0.0; 2];
+        // for each body the measure of the longest waves
+        let mut longest = vec![0.0; self.bodies.len()];
         for panel in &panels {
             let waves = self.waves(panel, &ends);
             let of = |window: &MeanWindow| window.of_waves(is_round, &waves.wavenumbers);
             let means: Vec<Vec<[f64; 2]>> = windows.iter().map(of).collect();
             for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
-                let factor = weight / self.modulus * if is_round { 1.0 } else { (PI * wavenumber).recip() };
+                let measure = weight * if is_round { *wavenumber } else { PI.recip() };
                 // of two faces, each with its contact: that they move together does not cancel
-                let mut add = |(upper, above): (f64, Option<usize>), (lower, below): (f64, Option<usize>)| {
-                    let mean = |contact: Option<usize>| contact.map_or([0.0; 2], |contact| means[contact][q]);
-                    for (sum, (above, below)) in sums.iter_mut().zip(mean(above).into_iter().zip(mean(below))) {
-                        *sum += factor * ((lower - upper) + lower * below - upper * above);
-                    }
-                };
+                let mut add =
+                    |measure: f64, (upper, above): (f64, Option<usize>), (lower, below): (f64, Option<usize>)| {
+                        let factor = measure / (wavenumber * self.modulus);
+                        let mean = |contact: Option<usize>| contact.map_or([0.0; 2], |contact| means[contact][q]);
+                        for (sum, (above, below)) in sums.iter_mut().zip(mean(above).into_iter().zip(mean(below))) {
+                            *sum += factor * ((lower - upper) + lower * below - upper * above);
+                        }
+                    };
                 if let Some(flattening) = flattening {
-                    add((flattening * waves.transforms[0][q].value.re, Some(0)), (0.0, None));
+                    add(measure, (flattening * waves.transforms[0][q].value.re, Some(0)), (0.0, None));
                 }
-                for body in
-                    self.bodies.iter().filter(|body| body.contacts().any(|contact| *wavenumber <= ends[contact].end))
+                let bodies = self.bodies.iter().zip(&mut longest);
+                for (body, longest) in
+                    bodies.filter(|(body, _)| body.contacts().any(|contact| *wavenumber <= ends[contact].end))
                 {
+                    let own = measure + std::mem::take(longest);
+                    // a laminate of unlike layers that is squeezed bends so much in long waves that its faces move by more digits than they come together by
+                    let reach = body.contacts().map(|contact| windows[contact].half).fold(0.0, f64::max);
+                    if body.bottom.is_some() && wavenumber * reach < LONG {
+                        *longest = own;
+                        continue;
+                    }
                     let transform = |contact: usize| Symmetry::Even.of(&waves.transforms[contact][q]);
                     let [top, bottom] = self.face_displacements(body, *wavenumber, transform)?;
                     let below = body.bottom.map(|_| body.contact + 1);
-                    add((top, Some(body.contact)), (bottom, below));
+                    add(own, (top, Some(body.contact)), (bottom, below));
                 }
             }
         }

@@ -47,7 +47,7 @@ const COARSEST: usize = 12;
 const FINEST: usize = 768;
 /// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
-const MOST_GROWTH: f64 = 2.6;
+const MOST_GROWTH: f64 = 2.25;
 /// Signs are looked at before there are more terms on an interval.
 const MANY: usize = 64;
 /// A layout serves lists whose ends differ by this much, relative.
