@@ -98,6 +98,18 @@ fn estimates_cover_what_a_tighter_tolerance_changes() {
     }
 }
 
+/// Long waves bend a laminate of unlike layers that is squeezed so much that its faces move a million million times as far as they come together.
+#[test]
+fn laminates_that_bend_as_they_are_squeezed_come_together_as_far_to_any_tolerance() {
+    for name in ["seed_2_number_91", "seed_30_number_269"] {
+        let path = format!("{}/tests/data/hard/{name}.ron", env!("CARGO_MANIFEST_DIR"));
+        let scene = Scene::read(path).unwrap();
+        let [rough, best] = [1e-8, 1e-10].map(|tolerance| approach_to(&scene, tolerance));
+        let missed = (rough.value - best.value).abs();
+        assert!(missed <= rough.error + best.error && best.error < 1e-8 * best.value, "{name}: {rough:?} {best:?}");
+    }
+}
+
 /// How far the half-length, the approach and the stiffness of a parabola x²/2R on a bonded layer of unit thickness and modulus are from
 /// those of the thin-layer limit, relative.
 fn off_the_thin_limit(poisson: f64, force: f64, [a, depth, stiffness]: [f64; 3]) -> [f64; 3] {
