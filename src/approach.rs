@@ -25,8 +25,8 @@ const NODES: usize = 48;
 const PLACE: f64 = 0.3;
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
-/// Neighbours' contacts that are as long as each other to so many octaves are averaged over the same length: a layer much thinner than that bends so easily that
-/// errors of pressures move both of its faces by far more than they bring them together. Twice as many: nothing changes but the number of wavenumbers.
+/// Contacts above and below a layer are averaged over the same length where the binary logarithms of their half-lengths differ by less than this: a layer much thinner
+/// than these bends so easily that errors of pressures move both of its faces by far more than they bring them together.
 const ALIKE: f64 = 1.0;
 /// Relative error of a sum over wavenumbers.
 const ROUNDING: f64 = 1e-12;
