@@ -42,6 +42,8 @@ pub(super) struct Derivatives {
     /// The last step of each end, and how far it may move, in half-lengths.
     taken: Vec<f64>,
     limits: Vec<f64>,
+    /// The intensities before that step.
+    before: Vec<f64>,
 }
 
 impl Derivatives {
@@ -50,26 +52,33 @@ impl Derivatives {
     pub(super) fn improve(
         &mut self,
         support: &Intervals,
-        q: &[f64],
+        looks: &[Look],
         steps: &mut [f64],
         perturbed: impl FnMut(&[Intervals; 2]) -> Option<[Vec<f64>; 2]>,
     ) -> Option<()> {
+        let q = &intensities(looks, steps)[..];
         self.largest.push(longest(q.iter().copied()));
         let size = q.len();
         let is_slow = matches!(self.largest[..], [.., before, last] if last > SLOW * before);
-        let wanted: Vec<bool> =
-            (0..size).map(|end| q[end] != 0.0 && (is_slow || steps[end] >= pressure::FARTHEST)).collect();
+        // an end that is as good as found keeps the derivatives that it has
+        let largest = longest(q.iter().copied());
+        let is_far = |end: usize| is_slow && q[end].abs() > MINOR * largest || steps[end] >= pressure::FARTHEST;
+        let wanted: Vec<bool> = (0..size).map(|end| q[end] != 0.0 && is_far(end)).collect();
         if wanted.contains(&true) {
-            self.matrix = Some(Rc::new(Matrix {
-                by: differences(support, &wanted, q, perturbed)?,
-                known: wanted,
-                of: longest(q.iter().copied()),
-            }));
+            let mut by = self.matrix.as_ref().map_or_else(|| Mat::zeros(size, size), |matrix| matrix.by.clone());
+            differences(support, &wanted, q, perturbed, &mut by)?;
+            let known = |end: usize| wanted[end] || self.matrix.as_ref().is_some_and(|matrix| matrix.known[end]);
+            let known = (0..size).map(known).collect();
+            self.matrix = Some(Rc::new(Matrix { by, known, of: largest }));
+        } else {
+            self.learn(q);
         }
-        let (mut matrix, mut right) = equations(self.matrix.as_deref(), q, steps);
+        self.before = q.to_vec();
+        let (mut matrix, mut right) = equations(self.matrix.as_deref(), looks, q, steps);
         let mut allowed = vec![LONGEST; size];
         if let Some(own) = &self.matrix {
-            for row in (0..size).filter(|row| own.known[*row] && q[*row] != 0.0 && !own.leads(*row, q)) {
+            for row in (0..size).filter(|row| own.leads(*row, q) == Some(false) && !looks[*row].is_weak(f64::INFINITY))
+            {
                 // a contact much too short grows faster and faster
                 let again = 2.0 * q[row].signum() * self.taken.get(row).unwrap_or(&0.0);
                 right[(row, 0)] = q[row].signum() * steps[row].abs().max(SHORTEST).max(again);
@@ -94,10 +103,23 @@ impl Derivatives {
         steps.iter().all(|step| step.is_finite()).then_some(())
     }
 
-    /// How far an end may move in the direction of a step: steps back and forth grow shorter.
+    /// Changes derivatives by what the last step did to intensities (Broyden 1965).
+    fn learn(&mut self, q: &[f64]) {
+        let square: f64 = self.taken.iter().map(|step| step * step).sum();
+        let Some(matrix) = self.matrix.as_ref().filter(|_| square > 0.0) else { return };
+        let mut by = matrix.by.clone();
+        for row in (0..q.len()).filter(|row| matrix.known[*row] && q[*row] != 0.0 && self.before[*row] != 0.0) {
+            let expected: f64 = self.taken.iter().enumerate().map(|(column, step)| by[(row, column)] * step).sum();
+            let missed = (q[row] - self.before[row] - expected) / square;
+            self.taken.iter().enumerate().for_each(|(column, step)| by[(row, column)] += missed * step);
+        }
+        self.matrix = Some(Rc::new(Matrix { by, known: matrix.known.clone(), of: matrix.of }));
+    }
+
+    /// How far an end may move in the direction of a step: steps back and forth grow shorter than the longest of the last ones, since ends depend on each other.
     fn limit(&self, row: usize, step: f64, allowed: f64) -> f64 {
-        let before = self.taken[row];
-        if step * before < 0.0 { 0.5 * before.abs() } else { (2.0 * self.limits[row]).min(allowed) }
+        let longest = longest(self.taken.iter().copied());
+        if step * self.taken[row] < 0.0 { 0.5 * longest } else { (2.0 * self.limits[row]).max(longest).min(allowed) }
     }
 }
 
@@ -107,42 +129,52 @@ impl Matrix {
         MINOR * self.of < longest(looks.iter().map(|look| look.q))
     }
 
-    /// Whether an intensity falls as its end moves outwards, and vanishes after no more than the longest step.
-    fn leads(&self, row: usize, q: &[f64]) -> bool {
-        LONGEST * -self.by[(row, row)] > q[row].abs()
+    /// Whether an intensity falls as its end moves outwards, and vanishes after no more than the longest step; `None` if that is not known, or there is none.
+    fn leads(&self, row: usize, q: &[f64]) -> Option<bool> {
+        (self.known[row] && q[row] != 0.0).then(|| LONGEST * -self.by[(row, row)] > q[row].abs())
     }
 
-    /// Replaces the steps that pressures tell, where these are not zero, by Newton's steps.
+    /// Replaces the steps that pressures tell by Newton's steps; by infinite ones where an intensity is weak and does not vanish.
     pub(super) fn improve(&self, looks: &[Look], steps: &mut [f64]) {
-        let q: Vec<f64> =
-            looks.iter().zip(&*steps).map(|(look, step)| if *step == 0.0 { 0.0 } else { look.q }).collect();
-        let (matrix, right) = equations(Some(self), &q, steps);
+        let q = intensities(looks, steps);
+        let (matrix, right) = equations(Some(self), looks, &q, steps);
         steps.copy_from_slice(matrix.partial_piv_lu().solve(&right).col_as_slice(0));
+        let stays = |row: &usize| self.leads(*row, &q) == Some(false) && looks[*row].is_weak(f64::INFINITY);
+        (0..q.len()).filter(stays).for_each(|row| steps[row] = f64::INFINITY);
     }
 }
 
-/// The equations for steps: intensities vanish where their derivatives are known and lead on; else steps are these.
-fn equations(known: Option<&Matrix>, q: &[f64], steps: &[f64]) -> (Mat<f64>, Mat<f64>) {
+/// The intensities at ends, none where next to nothing depends on the end.
+fn intensities(looks: &[Look], steps: &[f64]) -> Vec<f64> {
+    looks.iter().zip(steps).map(|(look, step)| if *step == 0.0 || look.is_weak(*step) { 0.0 } else { look.q }).collect()
+}
+
+/// The equations for steps: intensities vanish where their derivatives are known and lead on; else steps are these, or none where an intensity is weak.
+fn equations(known: Option<&Matrix>, looks: &[Look], q: &[f64], steps: &[f64]) -> (Mat<f64>, Mat<f64>) {
     let size = q.len();
     let mut matrix = Mat::identity(size, size);
     let mut right = Mat::from_fn(size, 1, |row, _| steps[row]);
-    if let Some(own) = known {
-        for row in (0..size).filter(|row| own.known[*row] && q[*row] != 0.0 && own.leads(*row, q)) {
-            right[(row, 0)] = -q[row];
-            (0..size).for_each(|column| matrix[(row, column)] = own.by[(row, column)]);
+    for row in 0..size {
+        match known.and_then(|own| own.leads(row, q).map(|leads| (own, leads))) {
+            Some((own, true)) => {
+                right[(row, 0)] = -q[row];
+                (0..size).for_each(|column| matrix[(row, column)] = own.by[(row, column)]);
+            }
+            Some((_, false)) if looks[row].is_weak(f64::INFINITY) => right[(row, 0)] = 0.0,
+            _ => {}
         }
     }
     (matrix, right)
 }
 
-/// Derivatives of intensities by some ends, from a small step of each of these to both sides.
+/// Puts derivatives of intensities by some ends into their columns, from a small step of each of these to both sides.
 fn differences(
     support: &Intervals,
     wanted: &[bool],
     q: &[f64],
     mut perturbed: impl FnMut(&[Intervals; 2]) -> Option<[Vec<f64>; 2]>,
-) -> Option<Mat<f64>> {
-    let mut matrix = Mat::zeros(q.len(), q.len());
+    matrix: &mut Mat<f64>,
+) -> Option<()> {
     for (column, end) in support.ends().into_iter().enumerate().filter(|(column, _)| wanted[*column]) {
         let half = support.0[end.interval].half;
         let by = (DIFFERENCE * half).min(0.5 * support.gap(end).abs());
@@ -156,7 +188,7 @@ fn differences(
             matrix[(row, column)] = (outwards[row] - inwards[row]) / (2.0 * by / half);
         }
     }
-    Some(matrix)
+    Some(())
 }
 
 impl Intervals {

@@ -1,7 +1,7 @@
 //! How well ends and pressures are known.
 use crate::contact::intervals::gaps::Signs;
 use crate::contact::intervals::newton::Approximation;
-use crate::contact::intervals::steps::looks;
+use crate::contact::intervals::steps::{SHORT, looks};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{ENDLESS, ROUNDING, SAFETY, UNKNOWN};
@@ -77,9 +77,12 @@ impl Errors {
             }
             errors
         };
+        let pressure = |(number, ([change, _], rest)): (usize, (&[f64; 2], &f64))| {
+            of_pressures * change + rest + SAFETY * level.unmoved[number] / size(number)
+        };
         Self {
             ends: all.iter().zip(&rests).map(ends).collect(),
-            pressures: changes.iter().zip(&rests).map(|([change, _], rest)| of_pressures * change + rest).collect(),
+            pressures: changes.iter().zip(&rests).enumerate().map(pressure).collect(),
             floor: largest(rests.iter().copied()) - steps,
             missing,
             steps,
@@ -155,8 +158,7 @@ impl Approximation {
         let [own, some, few] = [&self.solved.pressures, &self.coarser[0], &self.coarser[1]]
             .map(|pressures| looks(&self.support, pressures));
         let of = |k: usize| {
-            let is_weak = own[k].is_weak(own[k].step);
-            if is_weak { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
+            if self.weak[k] { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
         };
         (0..own.len()).map(of).collect()
     }
@@ -166,8 +168,9 @@ impl Approximation {
     pub(super) fn unknown(&self) -> Vec<[f64; 2]> {
         let looks = looks(&self.support, &self.solved.pressures);
         let mut unknown = vec![[0.0; 2]; self.support.0.len()];
-        for (end, look) in self.support.ends().into_iter().zip(looks).filter(|(_, look)| look.is_weak(look.step)) {
-            let step = if look.q > 0.0 { ENDLESS } else { look.step.abs() };
+        let ends = self.support.ends().into_iter().zip(looks).zip(&self.weak).filter(|(_, weak)| **weak);
+        for ((end, look), _) in ends {
+            let step = if look.q > 0.0 { ENDLESS } else { look.step.abs().max(SHORT) };
             unknown[end.interval][usize::from(end.side > 0.0)] = step;
         }
         unknown

@@ -8,10 +8,10 @@ use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::left_out::left_out;
 use crate::contact::intervals::local::{Local, locals};
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::steps::{Look, looks, moved};
+use crate::contact::intervals::steps::{Look, looks, moved, steps};
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{MINOR, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY, SLOW};
 use crate::contact::problem::iteration::{Progress, Work};
 use crate::numeric::{largest, longest};
 
@@ -39,11 +39,15 @@ pub(super) struct Approximation {
     kept: Option<Rc<Kept>>,
     /// Derivatives of the intensities at ends of nearly the same list, if there are any.
     derivatives: Option<Rc<Matrix>>,
+    /// Whether next to nothing depends on each end.
+    pub(super) weak: Vec<bool>,
     /// What steps have left, in half-lengths, and how much of that another one would leave.
     pub(super) left: f64,
     rate: f64,
     /// Whether that is rounding.
     pub(super) is_rounding: bool,
+    /// By how much what steps have left changes the pressure in the middle of each interval.
+    pub(super) unmoved: Vec<f64>,
     /// What kernels are resolved to, relative.
     pub(super) negligible: f64,
     /// For each contact, what is left of its kernel where integrals end, relative, over the wavenumber there.
@@ -57,13 +61,10 @@ pub(super) struct Approximation {
 impl Approximation {
     /// With ends that have taken their last steps, and pressures to first order in these; `None` if intervals vanish.
     fn moved(mut self, problem: &Problem, layout: &Layout, looks: &[Look]) -> Option<Self> {
-        let step = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step };
-        let mut steps: Vec<f64> = looks.iter().map(step).collect();
-        if let Some(derivatives) = &self.derivatives {
-            derivatives.improve(looks, &mut steps);
-            if !derivatives.serves(looks) {
-                (self.derivatives, self.rate) = (None, 1.0);
-            }
+        let steps = steps(looks, self.derivatives.as_deref());
+        let steps: Vec<f64> = steps.into_iter().map(Option::unwrap_or_default).collect();
+        if self.derivatives.as_ref().is_some_and(|derivatives| !derivatives.serves(looks)) {
+            (self.derivatives, self.rate) = (None, 1.0);
         }
         let support = moved(problem, &self.support, &steps)?;
         // where an end has moved no pressure is singular but for what fewer terms make
@@ -82,10 +83,16 @@ impl Approximation {
             };
             pressures.into_iter().zip(places).map(of).collect()
         };
+        let before = self.middle_pressures(&self.solved.pressures);
         let solved = Solved { pressures: on(self.solved.pressures), ..self.solved };
         let coarser = self.coarser.map(on);
         let regular = regular(&Equations::new(problem, layout, &support, &self.counts), &support, &solved);
-        Some(Self { solved, regular, coarser, support, ..self })
+        let mut moved = Self { solved, regular, coarser, support, ..self };
+        // what is left of steps changes pressures by as large a part of what these steps change
+        let left = if steps.iter().any(|step| *step != 0.0) { (moved.left / longest(steps)).min(1.0) } else { 0.0 };
+        let changes = moved.middle_pressures(&moved.solved.pressures).into_iter().zip(before);
+        moved.unmoved = changes.map(|(after, before)| left * (after - before).abs()).collect();
+        Some(moved)
     }
 
     /// How far ends may still move, in half-lengths, with more terms.
@@ -277,8 +284,7 @@ impl<'a> Newton<'a> {
     /// What pressures say of all ends, and what steps leave.
     fn look(&mut self, support: &Intervals, solved: &Solved, changed_by: f64) -> Vec<Look> {
         let looks = looks(support, &solved.pressures);
-        let moves = |look: &Look| if look.is_weak(look.step) { 0.0 } else { look.step.abs() };
-        self.farthest = looks.iter().map(moves).fold(0.0, f64::max);
+        self.farthest = longest(steps(&looks, self.derivatives.matrix.as_deref()).into_iter().flatten());
         // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
         self.left = self.farthest.max(MINOR * changed_by);
         looks
@@ -291,7 +297,9 @@ impl<'a> Newton<'a> {
 
     /// Whether steps leave as little as that.
     fn is_converged(&mut self, support: &Intervals, pressures: &[Pressure]) -> bool {
-        let aim = *self.aim.get_or_insert_with(|| MINOR * MINOR * missing(support, pressures));
+        let aim = *self.aim.get_or_insert_with(|| {
+            MINOR * MINOR * largest(support.0.iter().zip(pressures).map(|(interval, own)| own.missing(interval)))
+        });
         // intervals that overlap, as they may to begin with, are moved apart
         let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
         are_apart && (self.leaves() < aim.max(self.enough) || self.is_rounding())
@@ -327,10 +335,12 @@ impl<'a> Newton<'a> {
             solved,
             coarser,
             kept: self.kept.clone(),
+            weak: steps(looks, self.derivatives.matrix.as_deref()).iter().map(Option::is_none).collect(),
             derivatives: self.derivatives.matrix.clone().or(self.before.clone().filter(|before| before.serves(looks))),
             left: self.leaves(),
             rate: self.rate,
             is_rounding: self.is_rounding(),
+            unmoved: vec![0.0; self.counts.len()],
             negligible: 0.0,
             left_out: Vec::new(),
             graded: (0..equations.columns.len()).map(|i| !kernel.asymptote(i).is_constant()).collect(),
@@ -348,9 +358,8 @@ impl<'a> Newton<'a> {
         let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
         // derivatives do nothing about terms
         if self.left <= self.farthest {
-            let q: Vec<f64> = looks.iter().map(|look| if look.is_weak(look.step) { 0.0 } else { look.q }).collect();
             let (is_own, kept, counts) = (&mut self.is_own, &mut self.kept, self.counts);
-            self.derivatives.improve(support, &q, &mut steps, |[outwards, inwards]| {
+            self.derivatives.improve(support, looks, &mut steps, |[outwards, inwards]| {
                 if !*is_own {
                     (*kept, *is_own) = (Some(Rc::new(Kept::new(equations, support, counts)?.0)), true);
                 }
@@ -378,18 +387,6 @@ fn regular(equations: &Equations, support: &Intervals, solved: &Solved) -> Vec<P
     equations.solved(&places, &unknowns, &counts).pressures
 }
 
-/// How large the last third of the terms is, as a part of all of an interval.
-fn missing(support: &Intervals, pressures: &[Pressure]) -> f64 {
-    let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
-        let sum = |first: usize| {
-            let terms = pressure.terms.iter().enumerate().skip(first);
-            terms.map(|(m, y)| y.abs() / interval.order(m) as f64).sum::<f64>()
-        };
-        sum(pressure.terms.len() - pressure.terms.len() / 3) / sum(0)
-    };
-    support.0.iter().zip(pressures).map(of).fold(0.0, f64::max)
-}
-
 /// Multiplications, about, that it takes to solve the equations of a list, and to correct pressures with kept ones.
 fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> [f64; 2] {
     let contacts = support.0.iter().map(|interval| interval.contact + 1).max().unwrap_or(0);
@@ -409,8 +406,9 @@ fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> [f64; 2
 /// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.
 fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
     let all = &support.0;
-    let vanishes =
-        |number: &usize| pressures[*number].force(&all[*number]) <= 0.0 && support.of(all[*number].contact).len() > 1;
+    let vanishes = |number: &usize| {
+        pressures[*number].force(&all[*number]) < ROUNDING && support.of(all[*number].contact).len() > 1
+    };
     if let Some(number) = (0..all.len()).find(vanishes) {
         let mut all = all.clone();
         all.remove(number);

@@ -73,6 +73,15 @@ impl Pressure {
         (1..=last).map(|k| strip.pressure(interval.place(PI * k as f64 / places as f64))).collect()
     }
 
+    /// How large the last third of its terms is, as a part of all.
+    pub(super) fn missing(&self, interval: &ContactInterval) -> f64 {
+        let sum = |first: usize| {
+            let terms = self.terms.iter().enumerate().skip(first);
+            terms.map(|(m, y)| y.abs() / interval.order(m) as f64).sum::<f64>()
+        };
+        sum(self.terms.len() - self.terms.len() / 3) / sum(0)
+    }
+
     /// In how many places, all angles together, it is looked at.
     pub(super) fn places(&self, interval: &ContactInterval) -> usize {
         PER_MODE * interval.order(self.terms.len() - 1)

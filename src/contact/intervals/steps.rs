@@ -1,13 +1,15 @@
 //! What pressures say of ends, and the steps that ends take.
+use crate::contact::intervals::derivatives::Matrix;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
+use crate::contact::problem::accuracy::MINOR;
 
 /// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
 /// An end that would take a longer step, in half-lengths, from next to no singularity need not be known.
-const SHORT: f64 = 0.1;
-/// An end with a weaker singularity, in units of the mean pressure, need not be known.
+pub(super) const SHORT: f64 = 0.1;
+/// An end with a weaker singularity, in units of the mean pressure, need not be known; nor one with a weaker one than terms of the pressure tell.
 const WEAK: f64 = 1e-7;
 
 /// What the pressure says of one end.
@@ -16,13 +18,25 @@ pub(super) struct Look {
     pub(super) q: f64,
     /// The step outwards, in half-lengths.
     pub(super) step: f64,
+    /// Weaker singularities count as none.
+    weak: f64,
 }
 
 impl Look {
     /// Whether next to nothing depends on the end, however long this step of it.
     pub(super) fn is_weak(&self, step: f64) -> bool {
-        self.q.abs() < WEAK && step.abs() > SHORT
+        self.q.abs() < self.weak && step.abs() > SHORT
     }
+}
+
+/// The steps of all ends, Newton's where derivatives are known; none of those on which next to nothing depends.
+pub(super) fn steps(looks: &[Look], derivatives: Option<&Matrix>) -> Vec<Option<f64>> {
+    let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
+    if let Some(derivatives) = derivatives {
+        derivatives.improve(looks, &mut steps);
+    }
+    let strong = |(look, step): (&Look, f64)| (!look.is_weak(look.step) && !look.is_weak(step)).then_some(step);
+    looks.iter().zip(steps).map(strong).collect()
 }
 
 /// Takes steps, none longer than allowed; `None` if intervals vanish. An end that reaches the corner of a flat punch stays there, one that leaves it
@@ -66,9 +80,10 @@ pub(super) fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Op
 /// What pressures say of all ends; those at corners are where they are unless bodies pull there, where nothing is even.
 pub(super) fn looks(support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
     let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
+        let weak = WEAK.max(MINOR * pressure.missing(interval));
         let of = |(side, q): (&f64, &f64)| match interval.is_corner(*side) && (*q >= 0.0 || interval.is_even()) {
-            true => Look { q: 0.0, step: 0.0 },
-            false => Look { q: *q, step: pressure.step(interval, *side, *q) },
+            true => Look { q: 0.0, step: 0.0, weak },
+            false => Look { q: *q, step: pressure.step(interval, *side, *q), weak },
         };
         interval.sides().iter().zip(&pressure.singular).map(of).collect()
     };
