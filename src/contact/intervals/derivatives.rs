@@ -42,8 +42,8 @@ pub(super) struct Derivatives {
     /// The last step of each end, and how far it may move, in half-lengths.
     taken: Vec<f64>,
     limits: Vec<f64>,
-    /// The intensities before that step.
-    before: Vec<f64>,
+    /// The list before that step, and the intensities there.
+    before: Option<(Intervals, Vec<f64>)>,
 }
 
 impl Derivatives {
@@ -71,9 +71,9 @@ impl Derivatives {
             let known = (0..size).map(known).collect();
             self.matrix = Some(Rc::new(Matrix { by, known, of: largest }));
         } else {
-            self.learn(q);
+            self.learn(support, q);
         }
-        self.before = q.to_vec();
+        self.before = Some((support.clone(), q.to_vec()));
         let (mut matrix, mut right) = equations(self.matrix.as_deref(), looks, q, steps);
         let mut allowed = vec![LONGEST; size];
         if let Some(own) = &self.matrix {
@@ -103,15 +103,17 @@ impl Derivatives {
         steps.iter().all(|step| step.is_finite()).then_some(())
     }
 
-    /// Changes derivatives by what the last step did to intensities (Broyden 1965).
-    fn learn(&mut self, q: &[f64]) {
-        let square: f64 = self.taken.iter().map(|step| step * step).sum();
-        let Some(matrix) = self.matrix.as_ref().filter(|_| square > 0.0) else { return };
+    /// Changes derivatives by what the step to this list did to intensities (Broyden 1965).
+    fn learn(&mut self, support: &Intervals, q: &[f64]) {
+        let (Some(matrix), Some((list, before))) = (&self.matrix, &self.before) else { return };
+        let steps = list.steps_to(support);
+        let square: f64 = steps.iter().map(|step| step * step).sum();
         let mut by = matrix.by.clone();
-        for row in (0..q.len()).filter(|row| matrix.known[*row] && q[*row] != 0.0 && self.before[*row] != 0.0) {
-            let expected: f64 = self.taken.iter().enumerate().map(|(column, step)| by[(row, column)] * step).sum();
-            let missed = (q[row] - self.before[row] - expected) / square;
-            self.taken.iter().enumerate().for_each(|(column, step)| by[(row, column)] += missed * step);
+        let is_told = |row: &usize| square > 0.0 && matrix.known[*row] && q[*row] != 0.0 && before[*row] != 0.0;
+        for row in (0..q.len()).filter(is_told) {
+            let expected: f64 = steps.iter().enumerate().map(|(column, step)| by[(row, column)] * step).sum();
+            let missed = (q[row] - before[row] - expected) / square;
+            steps.iter().enumerate().for_each(|(column, step)| by[(row, column)] += missed * step);
         }
         self.matrix = Some(Rc::new(Matrix { by, known: matrix.known.clone(), of: matrix.of }));
     }

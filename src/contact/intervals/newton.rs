@@ -160,7 +160,7 @@ pub(super) fn converge(
             None if newton.before.as_ref().is_some_and(|before| !before.serves(&looks)) => 1.0,
             None => newton.rate,
         };
-        if newton.is_converged(&support, &solved.pressures) {
+        if newton.is_converged(&support, &solved.pressures, &looks) {
             let mut level = newton.approximation(&equations, &support, solved.clone(), &looks).ok_or_else(stuck)?;
             if newton.is_enough(&level) {
                 let solution = (&level.support, &level.solved.pressures[..]);
@@ -296,12 +296,16 @@ impl<'a> Newton<'a> {
     }
 
     /// Whether steps leave as little as that.
-    fn is_converged(&mut self, support: &Intervals, pressures: &[Pressure]) -> bool {
+    fn is_converged(&mut self, support: &Intervals, pressures: &[Pressure], looks: &[Look]) -> bool {
         let aim = *self.aim.get_or_insert_with(|| {
             MINOR * MINOR * largest(support.0.iter().zip(pressures).map(|(interval, own)| own.missing(interval)))
         });
-        // intervals that overlap, as they may to begin with, are moved apart
-        let are_apart = support.ends().into_iter().all(|end| support.gap(end) > 0.0);
+        // intervals that overlap, as they may to begin with, are moved apart; an end that would grow into the next interval is not found
+        let are_apart = support
+            .ends()
+            .into_iter()
+            .zip(looks)
+            .all(|(end, look)| support.gap(end) > (look.step * support.0[end.interval].half).max(0.0));
         are_apart && (self.leaves() < aim.max(self.enough) || self.is_rounding())
     }
 

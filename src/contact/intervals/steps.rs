@@ -3,7 +3,7 @@ use crate::contact::intervals::derivatives::Matrix;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::MINOR;
+use crate::contact::problem::accuracy::{COARSE, MINOR};
 
 /// Most of the way to the next interval that an end goes in one step.
 const MOST_OUT: f64 = 0.4;
@@ -80,7 +80,7 @@ pub(super) fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Op
 /// What pressures say of all ends; those at corners are where they are unless bodies pull there, where nothing is even.
 pub(super) fn looks(support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
     let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
-        let weak = WEAK.max(MINOR * pressure.missing(interval));
+        let weak = WEAK.max((MINOR * pressure.missing(interval)).min(COARSE));
         let of = |(side, q): (&f64, &f64)| match interval.is_corner(*side) && (*q >= 0.0 || interval.is_even()) {
             true => Look { q: 0.0, step: 0.0, weak },
             false => Look { q: *q, step: pressure.step(interval, *side, *q), weak },
