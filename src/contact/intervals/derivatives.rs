@@ -146,6 +146,16 @@ impl Matrix {
     }
 }
 
+/// The steps of all ends, Newton's where derivatives are known; none of those on which next to nothing depends.
+pub(super) fn steps(looks: &[Look], derivatives: Option<&Matrix>) -> Vec<Option<f64>> {
+    let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
+    if let Some(derivatives) = derivatives {
+        derivatives.improve(looks, &mut steps);
+    }
+    let strong = |(look, step): (&Look, f64)| (!look.is_weak(look.step) && !look.is_weak(step)).then_some(step);
+    looks.iter().zip(steps).map(strong).collect()
+}
+
 /// The intensities at ends, none where next to nothing depends on the end.
 fn intensities(looks: &[Look], steps: &[f64]) -> Vec<f64> {
     looks.iter().zip(steps).map(|(look, step)| if *step == 0.0 || look.is_weak(*step) { 0.0 } else { look.q }).collect()

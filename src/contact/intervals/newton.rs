@@ -2,13 +2,13 @@
 use std::rc::Rc;
 
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
-use crate::contact::intervals::derivatives::{Derivatives, Matrix};
+use crate::contact::intervals::derivatives::{Derivatives, Matrix, steps};
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::kept::Kept;
 use crate::contact::intervals::left_out::left_out;
 use crate::contact::intervals::local::{Local, locals};
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::steps::{Look, looks, moved, steps};
+use crate::contact::intervals::steps::{Look, looks, moved};
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY, SLOW};

@@ -1,5 +1,4 @@
 //! What pressures say of ends, and the steps that ends take.
-use crate::contact::intervals::derivatives::Matrix;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
@@ -27,16 +26,6 @@ impl Look {
     pub(super) fn is_weak(&self, step: f64) -> bool {
         self.q.abs() < self.weak && step.abs() > SHORT
     }
-}
-
-/// The steps of all ends, Newton's where derivatives are known; none of those on which next to nothing depends.
-pub(super) fn steps(looks: &[Look], derivatives: Option<&Matrix>) -> Vec<Option<f64>> {
-    let mut steps: Vec<f64> = looks.iter().map(|look| look.step).collect();
-    if let Some(derivatives) = derivatives {
-        derivatives.improve(looks, &mut steps);
-    }
-    let strong = |(look, step): (&Look, f64)| (!look.is_weak(look.step) && !look.is_weak(step)).then_some(step);
-    looks.iter().zip(steps).map(strong).collect()
 }
 
 /// Takes steps, none longer than allowed; `None` if intervals vanish. An end that reaches the corner of a flat punch stays there, one that leaves it
