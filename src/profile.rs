@@ -1,7 +1,7 @@
 //! Profiles along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
 use std::f64::consts::PI;
 
-use crate::field::{FaceSide, Field, FieldError, FieldPoint};
+use crate::field::{FULL, FaceSide, Field, FieldError, FieldPoint, Precision};
 use crate::geometry::Geometry;
 use crate::scene::Top;
 use crate::solution::{Contact, Interface, Solution};
@@ -87,8 +87,7 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     let each: Vec<Vec<Contact>> = solution.contacts().iter().map(Contact::of_each_punch).collect();
     let mut places = x.to_vec();
     places.extend(each.iter().flatten().flat_map(Contact::touching));
-    let mut faces: Vec<FaceProfile> =
-        field.faces(&places)?.into_iter().map(|(layer, side, points)| FaceProfile { layer, side, points }).collect();
+    let mut faces = faces(&field, &places, &FULL)?;
     let mut touching = x.len();
     let contacts = solution.contacts().iter().zip(&each).map(|(contact, each)| {
         let first = touching;
@@ -115,9 +114,15 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
 }
 
+/// The faces of all layers at places along x.
+pub(crate) fn faces(field: &Field, x: &[f64], precision: &Precision) -> Result<Vec<FaceProfile>, FieldError> {
+    let faces = field.faces(x, precision)?.into_iter();
+    Ok(faces.map(|(layer, side, points)| FaceProfile { layer, side, points }).collect())
+}
+
 /// How much higher the upper body of a contact, under it a punch of this number from the left, is than the lower one at places along x; `None` under a
 /// given pressure.
-fn heights(
+pub(crate) fn heights(
     top: &Top,
     field: &Field,
     faces: &[FaceProfile],

@@ -26,12 +26,12 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
     ("kernel", &["numeric", "stack", "system"]),
     ("validity", &["kernel", "scene"]),
     ("contact", &["kernel", "numeric", "scene", "system", "validity"]),
-    ("collocation", &["contact", "kernel", "numeric", "system"]),
     ("field", &["numeric", "stack", "system"]),
     ("approach", &["contact", "field", "kernel", "numeric", "scene", "stack"]),
     // put together from the errors of the stages, for all that stands above them
     ("errors", &["approach", "axis", "contact", "field", "scene", "stack", "system"]),
     ("profile", &["field", "scene", "stack"]),
+    ("collocation", &["contact", "errors", "field", "kernel", "numeric", "profile", "scene", "stack"]),
     ("model", &["approach", "collocation", "contact", "errors", "field", "kernel", "profile", "scene", "stack"]),
     ("sweep", &["approach", "axis", "errors", "field", "model", "scene", "stack"]),
     ("plot", &["axis", "field", "files", "scene", "stack", "sweep"]),

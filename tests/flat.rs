@@ -9,10 +9,7 @@ use crate::support;
 use std::f64::consts::PI;
 
 use crate::support::outwards;
-use recede::{
-    ContactError, Error, Exponential, HalfPlane, Homogeneous, Load, Model, Options, Plane, Punch, Scene, Solution,
-    Stack,
-};
+use recede::{Exponential, HalfPlane, Homogeneous, Load, Model, Plane, Punch, Scene, Solution, Stack};
 
 fn model(stack: recede::StackBuilder) -> Model {
     Model::new(stack.build().unwrap()).unwrap()
@@ -157,16 +154,6 @@ fn a_thin_strip_is_bent_away_from_the_middle_of_a_wide_punch() {
     let lines = thin.press(recede::Top::from(lines), 0.01).unwrap();
     let off = ground.half_length().unwrap() / lines.contacts()[1].half_length().unwrap() - 1.0;
     assert!(ground.half_length_error().unwrap() < 1e-9 && off.abs() < (3.0 - edge.left).powi(2), "{off}");
-}
-
-#[test]
-fn where_it_cannot_be_it_is_said() {
-    let (_, model) = layered().remove(0);
-    let punch = Punch::flat(0.5).unwrap();
-    let solution = model.press(&punch, 0.01).unwrap();
-    let refused = model.collocate(&punch, &solution, &Options::default()).unwrap_err();
-    assert!(matches!(refused, Error::Contact(ContactError::NotCollocated)) && refused.hint().is_some());
-    assert!(Punch::flat(0.0).is_err());
 }
 
 #[test]

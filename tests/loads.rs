@@ -9,8 +9,8 @@ use crate::support;
 use crate::closed_forms::line_load;
 use crate::support::outwards;
 use recede::{
-    ContactError, Error, Exponential, HalfPlane, Homogeneous, Interval, Load, Loads, Model, Options, Plane, Punch,
-    Scene, Solution, Stack, StackBuilder, Top,
+    Exponential, HalfPlane, Homogeneous, Interval, Load, Loads, Model, Plane, Punch, Scene, Solution, Stack,
+    StackBuilder, Top,
 };
 
 fn strip() -> StackBuilder {
@@ -377,10 +377,4 @@ fn the_command_solves_them() {
         json.stdout
     );
     assert!(json.stdout.contains("\"half_length\": 0.0,"), "{}", json.stdout);
-    let collocation = support::recede(&["solve", "-", "--method", "collocation"], SCENE.as_bytes());
-    assert_eq!(collocation.status, Some(2), "{}", collocation.stdout);
-    let model = Model::new(strip().rigid().build().unwrap()).unwrap();
-    let solution = model.press(Load::Line, 1.0).unwrap();
-    let refused = model.collocate(Load::Line, &solution, &Options::default());
-    assert!(matches!(refused, Err(Error::Contact(ContactError::NotCollocated))));
 }

@@ -35,7 +35,7 @@ pub struct SolveArguments {
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
-    /// `collocation` checks the solution by a second discretisation of the contact equations
+    /// `collocation` checks the solution by a second discretisation: gaps that are left where bodies touch
     #[arg(long, value_enum, default_value_t = Method::Galerkin)]
     method: Method,
     /// Tell, on standard error, what was computed and what was not needed
@@ -84,7 +84,7 @@ impl SolveArguments {
         let collocated = match self.method {
             Method::Galerkin => None,
             Method::Collocation => {
-                let checked = model.collocate(&scene.top, &solution, &options);
+                let checked = model.collocate(&scene.top, &solution);
                 Some(checked.map_err(|error| scene.locate(error))?)
             }
         };

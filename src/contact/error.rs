@@ -7,9 +7,7 @@ use crate::system::Unresolved;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// Contacts of a kind that collocation does not know.
-    #[error(
-        "collocation checks contacts of plane scenes under one punch, each of them one interval about x = 0 that ends where its pressure vanishes"
-    )]
+    #[error("collocation checks intervals, and discs about an axis, but no rings")]
     NotCollocated,
     /// A given pressure, and a half-length of the contact under a punch, or its approach.
     #[error("{}: under a given pressure there is nothing that a force could be found for", .0.field())]

@@ -5,7 +5,7 @@ use super::body::DepthRow;
 use super::error::FieldError;
 use super::point::FieldPoint;
 use super::surface::Surface;
-use super::{Field, PlacedLayer};
+use super::{Field, PlacedLayer, Precision};
 
 /// A face of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,7 +18,11 @@ pub enum FaceSide {
 
 impl Field {
     /// The faces of all layers from the top down, each with its layer's number, at these places.
-    pub(crate) fn faces(&self, xs: &[f64]) -> Result<Vec<(usize, FaceSide, Vec<FieldPoint>)>, FieldError> {
+    pub(crate) fn faces(
+        &self,
+        xs: &[f64],
+        precision: &Precision,
+    ) -> Result<Vec<(usize, FaceSide, Vec<FieldPoint>)>, FieldError> {
         let sides = |(layer, placed): (usize, &PlacedLayer)| {
             let top = (layer, placed.number, FaceSide::Top, 0.0);
             let bottom = placed.thickness.map(|depth| (layer, placed.number, FaceSide::Bottom, depth));
@@ -27,7 +31,7 @@ impl Field {
         let faces: Vec<(usize, usize, FaceSide, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
         let rows: Vec<DepthRow> =
             faces.iter().map(|(layer, _, _, depth)| DepthRow { layer: *layer, depth: *depth, set: 0 }).collect();
-        let lines = faces.iter().zip(self.in_rows(xs, &rows)?);
+        let lines = faces.iter().zip(self.in_rows(xs, &rows, precision)?);
         Ok(lines.map(|((_, number, side, _), points)| (*number, *side, points)).collect())
     }
 

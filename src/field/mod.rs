@@ -30,6 +30,7 @@ pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::FaceSide;
 pub(crate) use means::{FLAT, MeanWindow};
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
+pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;
 use crate::solution::{Contact, Solution};
@@ -39,7 +40,7 @@ pub use error::FieldError;
 
 use body::{DepthRow, LoadedBody, PlacedLayer};
 use pressure::ContactPressure;
-use waves::{LongWaves, Precision};
+use waves::LongWaves;
 
 /// Rounding of stresses, in parts of the mean pressure.
 const ROUNDING: f64 = 1e-12;
@@ -209,7 +210,7 @@ impl Field {
         let point =
             |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
         let rows: Vec<DepthRow> = depths.iter().map(point).collect::<Result<_, _>>()?;
-        Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows)?.concat()))
+        Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows, &FULL)?.concat()))
     }
 
     /// Stresses and displacements layer by layer, on grids that reach the layers' faces, since stresses along the layers
@@ -246,16 +247,21 @@ impl Field {
                 counts.push(rows.len() - before);
             }
         }
-        let mut points = self.in_rows(xs, &rows)?.into_iter();
+        let mut points = self.in_rows(xs, &rows, &FULL)?.into_iter();
         let grid = |count: usize| Grid::new(xs.to_vec(), points.by_ref().take(count).flatten().collect());
         Ok(counts.into_iter().map(grid).collect())
     }
 
     /// Points in rows at the same places along x.
-    fn in_rows(&self, xs: &[f64], rows: &[DepthRow]) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+    fn in_rows(
+        &self,
+        xs: &[f64],
+        rows: &[DepthRow],
+        precision: &Precision,
+    ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
         match xs.iter().find(|x| !x.is_finite()) {
             Some(x) => Err(self.outside(&Point { x: *x, depth: 0.0, layer: None })),
-            None => self.at_places(rows, &[xs.to_vec()], &waves::FULL),
+            None => self.at_places(rows, &[xs.to_vec()], precision),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::numeric::quadrature::{self, Rule};
 
 /// The accuracy to which a field is summed.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Precision {
+pub(crate) struct Precision {
     /// Truncation error allowed beyond the last wavenumber, in parts of the mean pressure: inside, and on a loaded face.
     pub(super) inside: f64,
     pub(super) on_face: f64,
@@ -32,7 +32,7 @@ pub(super) struct Precision {
 const SEARCHED: f64 = 2e5;
 
 /// Full accuracy.
-pub(super) const FULL: Precision = Precision {
+pub(crate) const FULL: Precision = Precision {
     inside: 1e-10,
     on_face: 1e-8,
     exponent: 36.0,
@@ -55,6 +55,11 @@ pub(super) const STRESSES: Precision = Precision {
 pub(super) const LOW: Precision = Precision { inside: 1e-5, on_face: 1e-5, exponent: 14.0, ..STRESSES };
 /// Stresses to some two digits.
 pub(super) const COARSE: Precision = Precision { inside: 1e-3, on_face: 1e-3, exponent: 8.0, points: 8, ..STRESSES };
+
+/// Full accuracy of displacements also on graded faces.
+pub(crate) const DISPLACEMENTS: Precision = Precision { on_face: 1e-10, ..FULL };
+/// Displacements to some two digits.
+pub(crate) const ROUGH: Precision = Precision { displacements: true, ..COARSE };
 
 /// Largest phase of a panel, and the phase up to which half as many points or fewer suffice.
 const PHASE: f64 = 56.0;

@@ -11,7 +11,7 @@ mod panel;
 
 use std::sync::Arc;
 
-use recede_layers::{Flexibility, Isotropic, Layer, Wave};
+use recede_layers::{Isotropic, Layer, Wave};
 
 use crate::geometry::Geometry;
 use crate::numeric::workspace::Workspace;
@@ -355,12 +355,5 @@ impl Kernel {
             }
             None => asymptote.remainder(zeta),
         }
-    }
-
-    /// Flexibilities λμ₀C of the laminates, top down, and of the base, at one wavenumber; `None` if one cannot be told.
-    pub(crate) fn flexibilities(&self, zeta: f64) -> Option<(Vec<Flexibility>, f64)> {
-        let wave = self.chains.wave(zeta);
-        let laminates = self.chains.laminates.iter().map(|laminate| laminate.flexibility(&wave));
-        Some((laminates.collect::<Option<_>>()?, self.chains.base.flexibility(&wave)?))
     }
 }

@@ -230,11 +230,6 @@ impl<'a> Side<'a> {
         }
     }
 
-    /// Slope at x (in units of L), per unit of P'.
-    pub(crate) fn slope(&self, x: f64) -> f64 {
-        self.profile().map_or(0.0, |profile| profile.slope(x))
-    }
-
     /// Half-length at which the punch ends, in units of L.
     pub(crate) fn edge(&self) -> Option<f64> {
         self.profile().and_then(Profile::edge)
