@@ -7,9 +7,7 @@ use std::path::Path;
 #[path = "work_precision/timing.rs"]
 mod timing;
 
-use recede::{
-    BaseChain, BlockSystem, FreeChain, HalfPlane, Homogeneous, Model, Options, Plane, Punch, Scene, Stack, Wave,
-};
+use recede::{BaseChain, BlockSystem, FreeChain, HalfPlane, Homogeneous, Model, Plane, Punch, Scene, Stack, Wave};
 use timing::{seconds, time};
 
 const SCENES: [(&str, &str); 3] =
