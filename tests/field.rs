@@ -231,6 +231,27 @@ fn bodies_touch_inside_the_contacts() {
 }
 
 /// Central differences of fourth order, from values at −2, −1, 1, 2 steps.
+/// Fields of a graded half-plane are powers of the longest waves, which bend a layer that lies on it by more digits than they squeeze it by.
+#[test]
+fn displacements_over_a_graded_half_plane_tend_to_those_over_a_homogeneous_one() {
+    let sunk = |base: &str| {
+        let text = format!(
+            "Scene(geometry: PlaneStrain, punch: Cylinder(radius: 100), force: 0.1, stack: [
+                Homogeneous(thickness: 2, shear_modulus: 3, poisson: 0.3), Bonded,
+                Homogeneous(thickness: 30, shear_modulus: 1, poisson: 0.3), Receding, {base}])"
+        );
+        let scene = recede::Scene::from_ron(&text).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        model.field(&solution).unwrap().at(0.0, 0.0).unwrap().v
+    };
+    let plain = sunk("HalfPlane(shear_modulus: 0.4, poisson: 0.3)");
+    for beta in [1e-8, 1e-7, 1e-6] {
+        let found = sunk(&format!("GradedHalfPlane(shear_modulus: 0.4, poisson: 0.3, beta: {beta:e})"));
+        close(found, plain, 100.0 * beta * plain.abs(), &format!("beta {beta:e}"));
+    }
+}
+
 fn slope<'a>(values: &'a [FieldPoint], step: f64) -> impl Fn(fn(&FieldPoint) -> f64) -> f64 + 'a {
     move |pick| {
         let [a, b, c, d] = [0, 1, 2, 3].map(|k| pick(&values[k]));

@@ -21,7 +21,7 @@ pub(crate) const FLAT: usize = 12;
 /// A mean has less than 1e-12 of a wave beyond the wavenumber LAST/a: it is left out.
 const LAST: f64 = 80.0;
 /// Waves with smaller z squeeze a laminate like those with this one, since it gives way by even functions of the wavenumber: to the square of this.
-const LONG: f64 = 1e-4;
+pub(super) const LONG: f64 = 1e-4;
 /// Next to z = 0 the mean of a wave less 1 is the sum of this many terms of a series; without cancellation up to there.
 const SERIES: f64 = 4.0;
 const TERMS: i32 = 16;

@@ -9,6 +9,7 @@ use recede_layers::{State, Wave};
 
 use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, components};
 use super::error::FieldError;
+use super::means::LONG;
 use super::pressure::ContactPressure;
 use super::strip::Singularity;
 use super::surface::{COMPONENTS, Components};
@@ -134,6 +135,8 @@ impl Field {
         let panels = waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar(farthest))?;
         let mut sums: Vec<WaveSums> =
             sets.iter().enumerate().map(|(set, xs)| WaveSums::new(xs, &active, set, precision.displacements)).collect();
+        // for each body and part of the field the measure of the longest waves
+        let mut longest = vec![[0.0; 2]; self.bodies.len()];
         for panel in &panels {
             let waves = self.waves(panel, &cut_offs);
             let size = COMPONENTS * waves.count() * active.len();
@@ -141,7 +144,8 @@ impl Field {
                 parities.iter().map(|parity| TransformedRows { parity: *parity, values: vec![0.0; size] }).collect();
             for block in &mut blocks {
                 for (body, origin) in origins.iter().enumerate() {
-                    self.add_body(body, &waves, &mut active, *origin, block)?;
+                    let longest = &mut longest[body][block.parity as usize];
+                    self.add_body(body, &waves, &mut active, (*origin, longest), block)?;
                 }
             }
             for sum in &mut sums {
@@ -200,13 +204,13 @@ impl Field {
     }
 
     /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and their lifts from the
-    /// reference point of the body, whose cut-off is `origin`.
+    /// reference point of the body, whose cut-off is `origin`; `longest` is the measure of waves before these that are too long to tell how a laminate is squeezed.
     fn add_body(
         &self,
         index: usize,
         waves: &PanelWaves,
         active: &mut [Active],
-        origin: f64,
+        (origin, longest): (f64, &mut f64),
         block: &mut TransformedRows,
     ) -> Result<(), FieldError> {
         let (body, (counted, _)) = (&self.bodies[index], block.parity.counted());
@@ -230,6 +234,7 @@ impl Field {
             wanted.iter().map(|wanted| wanted.iter().map(|(depth, _)| *depth).collect()).collect();
         let layers = &self.layers[body.layers.clone()];
         let mut lifted = vec![0.0; active.len()];
+        let reach = body.contacts().map(|contact| self.length(contact)).fold(self.thickness(), f64::max);
         for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
             let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
             let transform = |contact: usize| block.parity.of(&waves.transforms[contact][q]);
@@ -253,9 +258,16 @@ impl Field {
                     lifted[*k] = remainder[counted];
                 }
             }
+            // longer waves squeeze a laminate like these, and move it by so many more digits that it is not seen there
+            let measure = if self.geometry.is_axisymmetric() { weight * wavenumber } else { *weight };
+            if body.bottom.is_some() && wavenumber * reach < LONG {
+                *longest += measure;
+                continue;
+            }
+            let share = 1.0 + std::mem::take(longest) / measure;
             for (active, lifted) in active.iter_mut().zip(&lifted) {
                 if self.layers[active.row.layer].body == index {
-                    active.lifts[block.parity as usize] += lifted - at_reference;
+                    active.lifts[block.parity as usize] += share * (lifted - at_reference);
                 }
             }
         }

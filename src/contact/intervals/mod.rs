@@ -31,7 +31,6 @@ use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, 
 use crate::contact::problem::iteration::{Operations, Work};
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
-use crate::contact::programme::ActiveIntervals;
 use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
@@ -100,23 +99,27 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
     problem.unknown().all(is_there).then_some(start)
 }
 
-/// Lists where the quadratic programme sees contacts, if it sees any; about an axis none but discs.
-pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
-    if active.is_empty() {
-        return Vec::new();
+/// The list where the quadratic programme sees contacts, about an axis of discs; `None` if it sees none, if a contact has no interval, or one that does not end, or if a flat
+/// punch touches beside its middle only: no form of a pressure has one corner.
+pub(super) fn of_programme(problem: &Problem, seen: &[Vec<[f64; 2]>]) -> Option<Intervals> {
+    let mut intervals = Vec::new();
+    for (contact, parts) in problem.unknown().zip(seen) {
+        let (side, mut parts) = (&problem.sides[contact], parts.clone());
+        if problem.twin() == Twin::Round {
+            parts.truncate(1);
+            parts.iter_mut().for_each(|part| part[0] = 0.0);
+        }
+        if let Some(edge) = side.edge().filter(|_| side.is_flat()) {
+            let [[0.0, to]] = &mut parts[..] else { return None };
+            *to = edge;
+        }
+        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite() || part[1] <= part[0]) {
+            return None;
+        }
+        let interval = |part: &[f64; 2]| ContactInterval::even(problem.twin(), contact, *part);
+        intervals.extend(parts.iter().map(interval).map(|interval| interval.with_corners([side.is_flat(); 2])));
     }
-    let discs = starting_intervals(problem, active, |active| vec![[0.0, active.end()]]);
-    if problem.twin() == Twin::Round {
-        return discs.into_iter().collect();
-    }
-    // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
-    let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
-        .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_even()));
-    let all = starting_intervals(problem, active, |active| active.intervals().to_vec());
-    let merged = starting_intervals(problem, active, ActiveIntervals::merged);
-    let mut starts: Vec<Intervals> = [loaded, all, merged].into_iter().flatten().collect();
-    starts.dedup();
-    starts
+    (!intervals.is_empty()).then_some(Intervals(intervals))
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
@@ -251,31 +254,6 @@ fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
         ((growth * *count as f64) as usize).min(FINEST.max(*count))
     };
     level.counts.iter().zip(&weights).map(grown).collect()
-}
-
-/// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
-/// touches beside its middle only: no form of a pressure has one corner.
-fn starting_intervals(
-    problem: &Problem,
-    active: &[ActiveIntervals],
-    which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
-) -> Option<Intervals> {
-    let mut intervals = Vec::new();
-    for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
-        let mut parts = which(active);
-        if let Some(edge) = problem.sides[contact].edge().filter(|_| problem.sides[contact].is_flat()) {
-            let [[0.0, to]] = &mut parts[..] else { return None };
-            *to = edge;
-        }
-        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite() || part[1] <= part[0]) {
-            return None;
-        }
-        let corners = [problem.sides[contact].is_flat(); 2];
-        intervals.extend(
-            parts.iter().map(|part| ContactInterval::even(problem.twin(), contact, *part).with_corners(corners)),
-        );
-    }
-    Some(Intervals(intervals))
 }
 
 impl Lengths {

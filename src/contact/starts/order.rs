@@ -1,9 +1,9 @@
 //! In which order lists of intervals to begin with are tried until one leads to an answer.
 //!
 //! 1. Where formulas of contact mechanics expect contacts ([`formulas`]), with few terms.
-//! 2. Where all is even: where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start.
+//! 2. Where all is even: where the quadratic programme sees contacts. It is asked once, and has one solution whatever the start.
 //! 3. Both again, with more terms.
-//! 4. Where all is even: the pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
+//! 4. Where all is even: the pressures of the quadratic programme are the answer, of low accuracy and with a warning.
 use std::cell::{OnceCell, RefCell};
 
 use crate::contact::answer::{Answer, Found};
@@ -38,21 +38,21 @@ pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> 
         solved.map_err(note).ok()
     };
     let start = intervals::of_formulas(problem, &formulas::anywhere(problem));
-    let of_programme = || {
-        let active = if problem.is_even() { programme::active(problem, &expected, failed.borrow().far) } else { None };
-        intervals::of_programme(problem, &active.unwrap_or_default())
+    let ask = || {
+        let far = failed.borrow().far;
+        if problem.is_even() { programme::cycles(problem, &expected, far) } else { Vec::new() }
     };
-    let seen = OnceCell::new();
+    let cycles = OnceCell::new();
+    let seen = || intervals::of_programme(problem, &programme::touching(cycles.get_or_init(ask)));
     let solved = solve(start.as_slice(), &ROUNDS[..1])
-        .or_else(|| solve(seen.get_or_init(of_programme), &ROUNDS[..1]))
+        .or_else(|| solve(seen().as_slice(), &ROUNDS[..1]))
         .or_else(|| solve(start.as_slice(), &ROUNDS[1..]))
-        .or_else(|| solve(seen.get_or_init(of_programme), &ROUNDS[1..]));
+        .or_else(|| solve(seen().as_slice(), &ROUNDS[1..]));
     let answer = match solved {
         Some(answer) => answer,
         None => {
-            let Refused { reason, far } = failed.take();
-            let low = if problem.is_even() { programme::answer(problem, &expected, far) } else { None };
-            low.ok_or_else(|| reason.unwrap_or_else(|| NoSolution::NotConverged.into()))?
+            let low = programme::answer(problem, cycles.get_or_init(ask));
+            low.ok_or_else(|| failed.take().reason.unwrap_or_else(|| NoSolution::NotConverged.into()))?
         }
     };
     let reaches: Vec<f64> = answer.contacts.iter().map(Found::reach).collect();
