@@ -104,7 +104,11 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
 pub(super) fn of_programme(problem: &Problem, seen: &[Vec<[f64; 2]>]) -> Option<Intervals> {
     let mut intervals = Vec::new();
     for (contact, parts) in problem.unknown().zip(seen) {
-        let (side, mut parts) = (&problem.sides[contact], parts.clone());
+        // where bodies graze each other farther out, elements touch in turns
+        let (side, mut parts) = match &parts[..] {
+            [first, second, .., last] => (&problem.sides[contact], vec![*first, [second[0], last[1]]]),
+            parts => (&problem.sides[contact], parts.to_vec()),
+        };
         if problem.twin() == Twin::Round {
             parts.truncate(1);
             parts.iter_mut().for_each(|part| part[0] = 0.0);
@@ -167,6 +171,8 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
         if !is_seen && counts.iter().any(|count| *count > MANY) {
             gaps::check(problem, &last, COARSE, leaves_out).map_err(Some)?;
             is_seen = true;
+            // no other start follows
+            work.operations.finish();
         }
         match converge(problem, last.support.clone(), Some(&last), &counts, enough, work) {
             Ok(level) => last = level,

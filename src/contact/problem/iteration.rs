@@ -82,6 +82,11 @@ impl Operations {
         self.until = self.spent + SHARE * (self.most - self.spent).max(0.0);
     }
 
+    /// The last start: it may take all that is left.
+    pub(crate) fn finish(&mut self) {
+        self.until = self.most;
+    }
+
     /// Counts some more; `None` if that is too many.
     pub(crate) fn spend(&mut self, operations: f64) -> Option<()> {
         self.spent += operations;
