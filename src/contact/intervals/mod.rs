@@ -28,9 +28,10 @@ use crate::contact::integrals::layout::Lengths;
 use crate::contact::integrals::tail::turning;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, SAFETY};
-use crate::contact::problem::iteration::{Operations, Work};
+use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
+use crate::contact::programme::ActiveIntervals;
 use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
@@ -39,7 +40,7 @@ use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
 pub(super) use support::Intervals;
 use support::{ContactInterval, Parity};
-pub(super) use topology::Refused;
+pub(super) use topology::{Refused, solve};
 
 /// Terms on each interval: the first number of them, and the last.
 const COARSEST: usize = 12;
@@ -57,25 +58,6 @@ pub(crate) struct Expected {
     pub(crate) contact: usize,
     pub(crate) punch: usize,
     pub(crate) ends: [f64; 2],
-}
-
-/// Few terms take the least; where they lead nowhere, twice as many may not.
-pub(super) const ROUNDS: [usize; 3] = [1, 2, 4];
-
-/// Presses punches or loads, from lists of intervals where contacts may be, with the usual number of terms times each of `finer`, and the operations that are left.
-///
-/// # Errors
-/// See [`topology::solve`].
-pub(super) fn solve(
-    problem: &Problem,
-    starts: &[Intervals],
-    finer: &[usize],
-    operations: &mut Operations,
-) -> Result<Answer, Refused> {
-    let mut work = Work { operations: operations.clone(), ..Work::default() };
-    let answer = topology::solve(problem, starts, finer, &mut work);
-    *operations = work.operations;
-    answer
 }
 
 /// The list where contacts are expected; none where one is expected nowhere.
@@ -99,31 +81,23 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
     problem.unknown().all(is_there).then_some(start)
 }
 
-/// The list where the quadratic programme sees contacts, about an axis of discs; `None` if it sees none, if a contact has no interval, or one that does not end, or if a flat
-/// punch touches beside its middle only: no form of a pressure has one corner.
-pub(super) fn of_programme(problem: &Problem, seen: &[Vec<[f64; 2]>]) -> Option<Intervals> {
-    let mut intervals = Vec::new();
-    for (contact, parts) in problem.unknown().zip(seen) {
-        // where bodies graze each other farther out, elements touch in turns
-        let (side, mut parts) = match &parts[..] {
-            [first, second, .., last] => (&problem.sides[contact], vec![*first, [second[0], last[1]]]),
-            parts => (&problem.sides[contact], parts.to_vec()),
-        };
-        if problem.twin() == Twin::Round {
-            parts.truncate(1);
-            parts.iter_mut().for_each(|part| part[0] = 0.0);
-        }
-        if let Some(edge) = side.edge().filter(|_| side.is_flat()) {
-            let [[0.0, to]] = &mut parts[..] else { return None };
-            *to = edge;
-        }
-        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite() || part[1] <= part[0]) {
-            return None;
-        }
-        let interval = |part: &[f64; 2]| ContactInterval::even(problem.twin(), contact, *part);
-        intervals.extend(parts.iter().map(interval).map(|interval| interval.with_corners([side.is_flat(); 2])));
+/// Lists where the quadratic programme sees contacts, if it sees any; about an axis none but discs.
+pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
+    if active.is_empty() {
+        return Vec::new();
     }
-    (!intervals.is_empty()).then_some(Intervals(intervals))
+    let discs = starting_intervals(problem, active, |active| vec![[0.0, active.end()]]);
+    if problem.twin() == Twin::Round {
+        return discs.into_iter().collect();
+    }
+    // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
+    let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
+        .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_even()));
+    let all = starting_intervals(problem, active, |active| active.intervals().to_vec());
+    let merged = starting_intervals(problem, active, ActiveIntervals::merged);
+    let mut starts: Vec<Intervals> = [loaded, all, merged].into_iter().flatten().collect();
+    starts.dedup();
+    starts
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
@@ -172,7 +146,7 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
             gaps::check(problem, &last, COARSE, leaves_out).map_err(Some)?;
             is_seen = true;
             // no other start follows
-            work.operations.finish();
+            work.finish();
         }
         match converge(problem, last.support.clone(), Some(&last), &counts, enough, work) {
             Ok(level) => last = level,
@@ -260,6 +234,31 @@ fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
         ((growth * *count as f64) as usize).min(FINEST.max(*count))
     };
     level.counts.iter().zip(&weights).map(grown).collect()
+}
+
+/// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
+/// touches beside its middle only: no form of a pressure has one corner.
+fn starting_intervals(
+    problem: &Problem,
+    active: &[ActiveIntervals],
+    which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
+) -> Option<Intervals> {
+    let mut intervals = Vec::new();
+    for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
+        let mut parts = which(active);
+        if let Some(edge) = problem.sides[contact].edge().filter(|_| problem.sides[contact].is_flat()) {
+            let [[0.0, to]] = &mut parts[..] else { return None };
+            *to = edge;
+        }
+        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite() || part[1] <= part[0]) {
+            return None;
+        }
+        let corners = [problem.sides[contact].is_flat(); 2];
+        intervals.extend(
+            parts.iter().map(|part| ContactInterval::even(problem.twin(), contact, *part).with_corners(corners)),
+        );
+    }
+    Some(Intervals(intervals))
 }
 
 impl Lengths {

@@ -174,7 +174,7 @@ pub(super) fn converge(
             return Err(Failure::Stuck(support));
         }
         let perturbed = |kept: &Kept, moved: &Intervals| {
-            work.operations.spend(costs[1])?;
+            work.spend(costs[1])?;
             let equations = Equations::new(problem, &layout, moved, counts);
             let (solved, _) = kept.corrected(&equations, &solved.on(&support, moved), counts)?;
             Some(self::looks(moved, &solved.pressures).iter().map(|look| look.q).collect())
@@ -253,7 +253,7 @@ impl<'a> Newton<'a> {
             let mut expected = solved.on(before, support).regular(support);
             let mut changed = f64::INFINITY;
             loop {
-                work.operations.spend(kept)?;
+                work.spend(kept)?;
                 let Some((solved, changed_by)) = equations_kept.corrected(equations, &expected, self.counts) else {
                     break;
                 };
@@ -273,7 +273,7 @@ impl<'a> Newton<'a> {
                 (expected, changed) = (solved, changed_by);
             }
         }
-        work.operations.spend(anew)?;
+        work.spend(anew)?;
         work.factorisations += 1;
         let (kept, solved) = Kept::new(equations, support, self.counts)?;
         (self.kept, self.is_own, self.is_exact) = (Some(Rc::new(kept)), true, true);

@@ -10,11 +10,11 @@ use super::kept::Kept;
 use super::newton::converge;
 use super::pressure::Pressure;
 use super::support::{ContactInterval, Intervals};
-use super::{ROUNDS, of_formulas, refine, solve};
+use super::{Refused, of_formulas, refine, solve};
 use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::COARSE;
-use crate::contact::problem::iteration::{Operations, Work};
+use crate::contact::problem::accuracy::{COARSE, MOST_OPERATIONS};
+use crate::contact::problem::iteration::Work;
 use crate::contact::problem::twin::Twin;
 use crate::contact::starts::formulas;
 use crate::geometry::Geometry;
@@ -61,7 +61,7 @@ fn one_interval_is_what_another_solver_finds() {
                 };
                 let support = Intervals(problem.unknown().map(start).collect());
                 let counts = vec![20; support.0.len()];
-                let mut work = Work::default();
+                let mut work = Work::at_most(MOST_OPERATIONS);
                 let first = converge(&problem, support, None, &counts, COARSE, &mut work).unwrap();
                 let found = refine(&problem, first, false, &mut work).unwrap().into_solution(&problem, 0.01, None);
                 for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
@@ -108,7 +108,8 @@ fn random_scenes_are_solved_alike_without_symmetry() {
         let uneven = Intervals(even.0.iter().map(whole).collect());
         let starts = if problem.twin() == Twin::Round { vec![even] } else { vec![even, uneven] };
         for start in starts {
-            let Ok(found) = solve(&problem, &[start], &ROUNDS, &mut Operations::default()) else {
+            let Some(found) = solve(&problem, start, 1, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS))
+            else {
                 left += 1;
                 continue;
             };
@@ -143,7 +144,7 @@ fn contacts_on_both_faces_of_a_thin_layer_are_found_from_formulas() {
     let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
     let problem = Problem::new(&kernel, &interfaces, &top, force, Options::default().tolerance);
     let start = of_formulas(&problem, &formulas::anywhere(&problem)).unwrap();
-    let found = solve(&problem, &[start], &ROUNDS, &mut Operations::default()).unwrap();
+    let found = solve(&problem, start, 1, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS)).unwrap();
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
         let (found, expected) = (found.innermost(), expected.innermost());

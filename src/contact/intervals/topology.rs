@@ -17,34 +17,24 @@ const MOST_CHANGES: usize = 30;
 /// The usual number of terms is multiplied by this at most before a list is changed.
 const FINER: usize = 16;
 
-/// Presses punches or loads, from lists of intervals where contacts may be, one after the other, with the usual number of terms times each of `finer`.
-///
-/// # Errors
-/// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together, else nothing, if no list of intervals was
-/// found without tension and penetration.
-pub(super) fn solve(
+/// Presses punches or loads, from a list of intervals where contacts may be, with the usual number of terms times `finer`; `None`, with what is known of the reason, if no
+/// list was found without tension and penetration.
+pub(crate) fn solve(
     problem: &Problem,
-    starts: &[Intervals],
-    finer: &[usize],
+    start: Intervals,
+    finer: usize,
+    refused: &mut Refused,
     work: &mut Work,
-) -> Result<Answer, Refused> {
-    let mut refused = Refused::default();
-    for finer in finer.iter().copied() {
-        for start in starts {
-            work.operations.start();
-            match follow(problem, start.clone(), finer, work, &mut refused.far) {
-                Ok(answer) => return Ok(answer),
-                Err(last) => refused.reason = refused.reason.or_else(|| outgrown(problem, &last.0)),
-            }
-        }
-    }
-    Err(refused)
+) -> Option<Answer> {
+    work.start();
+    let note = |last: Intervals| refused.reason = refused.reason.take().or_else(|| outgrown(problem, &last.0));
+    follow(problem, start, finer, work, &mut refused.far).map_err(note).ok()
 }
 
 /// Why lists of intervals lead to no answer.
 #[derive(Debug, Default)]
 pub(crate) struct Refused {
-    /// The reason, if one is known.
+    /// [`NoSolution::PunchTooSmall`] if a contact has grown to the edge of its punch, [`NoSolution::PunchesMeet`] if two have grown together; else nothing.
     pub(crate) reason: Option<ContactError>,
     /// How far from x = 0 bodies were seen to penetrate each other.
     pub(crate) far: f64,

@@ -1,5 +1,5 @@
 //! When iterations end, and what they may cost: the same for all of them.
-use crate::contact::problem::accuracy::{MOST_OPERATIONS, PATIENCE, SLOW};
+use crate::contact::problem::accuracy::{PATIENCE, SLOW};
 
 /// A start may take this part of the operations that are left, so that some are left for those after it. All of them: four of 2,001
 /// random scenes whose first start leads astray are not found.
@@ -36,8 +36,7 @@ impl Progress {
     }
 }
 
-/// What has been done, all starts together.
-#[derive(Clone, Default)]
+/// What has been done, all starts together, and what may be.
 pub(crate) struct Work {
     /// Steps on each level.
     pub(crate) steps: Vec<usize>,
@@ -45,36 +44,22 @@ pub(crate) struct Work {
     pub(crate) interpolated: usize,
     /// Systems factorised.
     pub(crate) factorisations: usize,
-    pub(crate) operations: Operations,
+    /// Multiplications, about, that were made and may be made, and where the start that is tried ends.
+    spent: f64,
+    most: f64,
+    until: f64,
 }
 
 impl Work {
+    /// With so many multiplications that may be made.
+    pub(crate) fn at_most(most: f64) -> Self {
+        Self { steps: Vec::new(), interpolated: 0, factorisations: 0, spent: 0.0, most, until: most }
+    }
+
     pub(crate) fn step(&mut self) {
         if let Some(steps) = self.steps.last_mut() {
             *steps += 1;
         }
-    }
-}
-
-/// Multiplications, about, that were made and may be made.
-#[derive(Clone)]
-pub(crate) struct Operations {
-    /// All starts together.
-    most: f64,
-    spent: f64,
-    /// Where the start that is tried ends.
-    until: f64,
-}
-
-impl Default for Operations {
-    fn default() -> Self {
-        Self::at_most(MOST_OPERATIONS)
-    }
-}
-
-impl Operations {
-    pub(crate) fn at_most(most: f64) -> Self {
-        Self { most, spent: 0.0, until: most }
     }
 
     /// Another start: it may take a part of what is left.
@@ -87,7 +72,7 @@ impl Operations {
         self.until = self.most;
     }
 
-    /// Counts some more; `None` if that is too many.
+    /// Counts some more multiplications; `None` if these are too many.
     pub(crate) fn spend(&mut self, operations: f64) -> Option<()> {
         self.spent += operations;
         (self.spent <= self.until).then_some(())

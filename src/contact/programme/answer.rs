@@ -10,16 +10,15 @@ use crate::numeric::largest;
 use crate::solution::{Form, Interval, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
-use super::{Cycle, LEAST_FORCE, UNRESOLVED};
+use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
 
-/// Relative error of pressures well inside a contact.
-const INSIDE: f64 = 0.02;
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
 
 /// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
-pub(crate) fn answer(problem: &Problem, all: &[Cycle]) -> Option<Answer> {
-    let found = |(i, contact): (usize, usize)| found(problem, contact, all, i);
+pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Answer> {
+    let all = cycles(problem, expected, far, FINE);
+    let found = |(i, contact): (usize, usize)| found(problem, contact, &all, i);
     let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
     let elements = all.last()?.grid.elements();
     let message = format!(
@@ -57,19 +56,22 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         () if side.is_sharp() => f64::INFINITY,
         () => middle(last) / force,
     };
-    // elements well inside a contact are the same on all grids
-    Some(Found::even(&parts, [peak, INSIDE * peak + change / force], &last.strips(i, force)))
+    // elements well inside a contact are the same on all grids: no better than the coarse ones
+    Some(Found::even(&parts, [peak, super::COARSE.ends * peak + change / force], &last.strips(i, force)))
 }
 
 /// Where contact i of the programme touches, from the middle outwards.
 fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Interval>> {
+    let active = last.active().swap_remove(i);
     let corner = side.edge().filter(|_| side.is_flat());
     let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { last.resolution(end) };
+    // an interval without end carries no force
+    let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
     // a decaying contact is given as far as it carries one, and an end beyond is not known
     let end = last.decays(i);
-    let parts = last.intervals(i).into_iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| {
-        let right = if to.is_finite() { [to, error(to).max(to - end)] } else { [end, ENDLESS * end] };
-        Interval::new([from, error(from)], right)
+    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| {
+        let right = if to.is_finite() { [*to, error(*to).max(to - end)] } else { [end, ENDLESS * end] };
+        Interval::new([*from, error(*from)], right)
     });
     let mut parts: Vec<Interval> = parts.collect();
     // where bodies graze each other next to an end, the end may be anywhere

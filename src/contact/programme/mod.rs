@@ -30,10 +30,10 @@ const REACH: f64 = 6.0;
 const LONGER: usize = 3;
 /// How often it is made longer or finer.
 const CYCLES: usize = 14;
-/// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it.
-const ENDS: f64 = 0.005;
-/// Number of elements added to the first grid: with more, none are refined.
-const ELEMENTS: usize = 500;
+/// For starts.
+const COARSE: Resolution = Resolution { ends: 0.02, elements: 200, is_answer: false };
+/// For answers.
+const FINE: Resolution = Resolution { ends: 0.005, elements: 500, is_answer: true };
 /// Contact intervals, and gaps between them, of no more than this many elements may be artefacts of the grid; as many elements on either
 /// side of an end are refined.
 const UNRESOLVED: usize = 2;
@@ -49,28 +49,90 @@ const LEAST_SHORT: f64 = accuracy::COARSE;
 /// Intervals are next to each other if the gap between them is shorter than this part of its distance from the middle.
 const NEXT: f64 = 0.3;
 
+/// How fine grids become.
+#[derive(Clone, Copy)]
+struct Resolution {
+    /// Elements at the ends of contacts are as long as this part of their distance from the middle, or of a strip off it.
+    ends: f64,
+    /// Number of elements added to the first grid: with more, none are refined.
+    elements: usize,
+    /// Whether what is found is an answer: elements are as short, too, where a gap may open that is shorter than they are, and where bodies
+    /// graze each other they count as apart.
+    is_answer: bool,
+}
+
+/// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct ActiveIntervals {
+    /// All that are longer than artefacts of the grid.
+    pub(super) resolved: Vec<[f64; 2]>,
+    /// All, however short.
+    pub(super) separate: Vec<[f64; 2]>,
+    /// All but artefacts of the grid next to others.
+    pub(super) loaded: Vec<[f64; 2]>,
+}
+
+impl ActiveIntervals {
+    fn one(end: f64) -> Self {
+        let whole = || vec![[0.0, end]];
+        Self { resolved: whole(), separate: whole(), loaded: whole() }
+    }
+
+    /// Where the innermost interval ends.
+    pub(super) fn end(&self) -> f64 {
+        self.resolved.first().map_or(0.0, |part| part[1])
+    }
+
+    /// All intervals: the resolved ones where there are several, else all.
+    pub(super) fn intervals(&self) -> &[[f64; 2]] {
+        if self.resolved.len() > 1 { &self.resolved } else { &self.separate }
+    }
+
+    /// The first of them, and from where to where bodies touch farther out.
+    pub(super) fn merged(&self) -> Vec<[f64; 2]> {
+        match self.intervals() {
+            [first, second, .., last] => vec![*first, [second[0], last[1]]],
+            intervals => intervals.to_vec(),
+        }
+    }
+}
+
 /// The programme on one grid: which elements of each contact touch, and the forces on them.
-pub(super) struct Cycle {
+struct Cycle {
     grid: Grid,
     touching: Vec<Vec<bool>>,
     forces: Vec<Vec<f64>>,
 }
 
 impl Cycle {
-    /// Intervals of x ≥ 0, in units of L, where contact i touches: where there are several, without artefacts of the grid.
-    fn intervals(&self, i: usize) -> Vec<[f64; 2]> {
-        let resolved = parts(&resolved_only(&self.touching[i]), &self.grid);
-        if resolved.len() > 1 { resolved } else { parts(&self.touching[i], &self.grid) }
+    fn active(&self) -> Vec<ActiveIntervals> {
+        let active = |(touching, forces): (&Vec<bool>, &Vec<f64>)| {
+            let mut loaded = touching.clone();
+            separate_where_grazing(&mut loaded, forces, &self.grid);
+            ActiveIntervals {
+                resolved: parts(&resolved_only(touching), &self.grid),
+                separate: parts(touching, &self.grid),
+                loaded: parts(&loaded, &self.grid),
+            }
+        };
+        self.touching.iter().zip(&self.forces).map(active).collect()
     }
 }
 
-/// Where the contacts whose pressure is to be found touch, from the top down: intervals of x ≥ 0, in units of L, ascending. None if the programme had no solution.
-pub(super) fn touching(cycles: &[Cycle]) -> Vec<Vec<[f64; 2]>> {
-    cycles.last().map_or(Vec::new(), |last| (0..last.touching.len()).map(|i| last.intervals(i)).collect())
+/// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
+/// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
+pub(super) fn active(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<ActiveIntervals>> {
+    let cycles = cycles(problem, expected, far, COARSE);
+    let mut found = cycles.last()?.active().into_iter();
+    let of = |side: &Side| match side.given() {
+        Some(given) => Some(ActiveIntervals::one(given.half_length)),
+        None => found.next(),
+    };
+    problem.sides.iter().map(of).collect()
 }
 
-/// The last refinement cycles, two at most, with the finest grids: `expected` are half-lengths to make a grid for, and `far` is a place that is to be well inside it.
-pub(super) fn cycles(problem: &Problem, expected: &[f64], far: f64) -> Vec<Cycle> {
+/// The last refinement cycles, two at most, with the finest grids.
+fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Vec<Cycle> {
     // a prescribed traction is no unknown of the programme
     let kernel = &Compliances::new(problem);
     if kernel.contacts() == 0 {
@@ -84,19 +146,23 @@ pub(super) fn cycles(problem: &Problem, expected: &[f64], far: f64) -> Vec<Cycle
     let edge = problem.sides.iter().find_map(Side::edge);
     let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge, problem.twin()) else { return cycles };
     let mut longer = LONGER;
-    let most = grid.elements() + ELEMENTS;
+    let most = grid.elements() + resolution.elements;
     for _ in 0..CYCLES {
         let Some(energy) = Energy::new(kernel, &grid) else { break };
         let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
         let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
         for (touching, forces) in touching.iter_mut().zip(&forces) {
             separate_where_unloaded(touching, forces);
-            separate_where_grazing(touching, forces, &grid);
+            if resolution.is_answer {
+                separate_where_grazing(touching, forces, &grid);
+            }
         }
-        let mut around: Vec<(usize, f64)> = touching.iter().flat_map(|touching| ends(touching, &grid)).collect();
-        // a gap may open that is shorter than elements are
-        let dips = touching.iter().zip(&forces).flat_map(|(touching, forces)| dips(touching, forces, &grid));
-        around.extend(dips.map(|edge| (edge, ENDS * grid.edges()[edge])));
+        let mut around: Vec<(usize, f64)> =
+            touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
+        if resolution.is_answer {
+            let dips = touching.iter().zip(&forces).flat_map(|(touching, forces)| dips(touching, forces, &grid));
+            around.extend(dips.map(|edge| (edge, resolution.ends * grid.edges()[edge])));
+        }
         // an interval of re-contact that reaches the end of the grid does not end
         let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
         cycles.push(Cycle { grid: grid.clone(), touching, forces });
@@ -139,7 +205,7 @@ fn separate_where_grazing(touching: &mut [bool], forces: &[f64], grid: &Grid) {
 }
 
 /// Ends of contact intervals, and how long elements next to them may be: where there is a gap about x = 0, the intervals may be short.
-fn ends(touching: &[bool], grid: &Grid) -> Vec<(usize, f64)> {
+fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
     let transitions = touching.windows(2).enumerate().filter(|(_, pair)| pair[0] != pair[1]).map(|(e, _)| e + 1);
     let strip = |edge: usize| {
         let outwards = touching[edge..].iter().take_while(|touches| **touches).count();
@@ -150,7 +216,7 @@ fn ends(touching: &[bool], grid: &Grid) -> Vec<(usize, f64)> {
         let x = grid.edges()[edge];
         if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
     };
-    transitions.map(|edge| (edge, ENDS * room(edge))).collect()
+    transitions.map(|edge| (edge, fine * room(edge))).collect()
 }
 
 /// The edges of the element of each interval with the least pressure, if that is less than half of the pressure on either side.

@@ -1,18 +1,33 @@
 //! In which order lists of intervals to begin with are tried until one leads to an answer.
 //!
 //! 1. Where formulas of contact mechanics expect contacts ([`formulas`]), with few terms.
-//! 2. Where all is even: where the quadratic programme sees contacts. It is asked once, and has one solution whatever the start.
+//! 2. Where all is even: where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start.
 //! 3. Both again, with more terms.
-//! 4. Where all is even: the pressures of the quadratic programme are the answer, of low accuracy and with a warning.
-use std::cell::{OnceCell, RefCell};
-
+//! 4. Where all is even: the pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
 use crate::contact::answer::{Answer, Found};
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::intervals::{self, Intervals, ROUNDS, Refused};
+use crate::contact::intervals::{self, Refused};
 use crate::contact::problem::Problem;
-use crate::contact::problem::iteration::Operations;
+use crate::contact::problem::iteration::Work;
 use crate::contact::programme;
 use crate::contact::starts::formulas;
+
+/// What tells the list to begin with.
+#[derive(Clone, Copy)]
+enum Start {
+    Formulas,
+    Programme,
+}
+
+/// What is tried one after the other, with how many times the usual number of terms: few terms take the least; where they lead nowhere, twice as many may not.
+const TRIED: [(Start, usize); 6] = [
+    (Start::Formulas, 1),
+    (Start::Programme, 1),
+    (Start::Formulas, 2),
+    (Start::Formulas, 4),
+    (Start::Programme, 2),
+    (Start::Programme, 4),
+];
 
 /// Presses punches or loads.
 ///
@@ -26,34 +41,23 @@ pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> 
     {
         return Err(error);
     }
-    let mut operations = Operations::at_most(problem.operations);
-    let failed = RefCell::new(Refused::default());
-    let mut solve = |starts: &[Intervals], finer: &[usize]| {
-        let solved = intervals::solve(problem, starts, finer, &mut operations);
-        let note = |refused: Refused| {
-            let mut all = failed.borrow_mut();
-            all.reason = all.reason.take().or(refused.reason);
-            all.far = all.far.max(refused.far);
+    let of_formulas = intervals::of_formulas(problem, &formulas::anywhere(problem));
+    let ask = |far: f64| {
+        let active = if problem.is_even() { programme::active(problem, &expected, far) } else { None };
+        intervals::of_programme(problem, &active.unwrap_or_default())
+    };
+    let mut work = Work::at_most(problem.operations);
+    let (mut refused, mut seen) = (Refused::default(), None);
+    let solved = TRIED.into_iter().find_map(|(start, finer)| {
+        let lists = match start {
+            Start::Formulas => of_formulas.as_slice(),
+            Start::Programme => seen.get_or_insert_with(|| ask(refused.far)),
         };
-        solved.map_err(note).ok()
-    };
-    let start = intervals::of_formulas(problem, &formulas::anywhere(problem));
-    let ask = || {
-        let far = failed.borrow().far;
-        if problem.is_even() { programme::cycles(problem, &expected, far) } else { Vec::new() }
-    };
-    let cycles = OnceCell::new();
-    let seen = || intervals::of_programme(problem, &programme::touching(cycles.get_or_init(ask)));
-    let solved = solve(start.as_slice(), &ROUNDS[..1])
-        .or_else(|| solve(seen().as_slice(), &ROUNDS[..1]))
-        .or_else(|| solve(start.as_slice(), &ROUNDS[1..]))
-        .or_else(|| solve(seen().as_slice(), &ROUNDS[1..]));
-    let answer = match solved {
-        Some(answer) => answer,
-        None => {
-            let low = programme::answer(problem, cycles.get_or_init(ask));
-            low.ok_or_else(|| failed.take().reason.unwrap_or_else(|| NoSolution::NotConverged.into()))?
-        }
+        lists.iter().find_map(|list| intervals::solve(problem, list.clone(), finer, &mut refused, &mut work))
+    });
+    let low = || if problem.is_even() { programme::answer(problem, &expected, refused.far) } else { None };
+    let Some(answer) = solved.or_else(low) else {
+        return Err(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
     };
     let reaches: Vec<f64> = answer.contacts.iter().map(Found::reach).collect();
     problem.too_small(&reaches).map_or(Ok(answer), Err)
