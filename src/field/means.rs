@@ -20,8 +20,6 @@ use crate::system::Unresolved;
 pub(crate) const FLAT: usize = 12;
 /// A mean has less than 1e-12 of a wave beyond the wavenumber LAST/a: it is left out.
 const LAST: f64 = 80.0;
-/// Waves with smaller z squeeze a laminate like those with this one, since it gives way by even functions of the wavenumber: to the square of this.
-pub(super) const LONG: f64 = 1e-4;
 /// Next to z = 0 the mean of a wave less 1 is the sum of this many terms of a series; without cancellation up to there.
 const SERIES: f64 = 4.0;
 const TERMS: i32 = 16;
@@ -103,7 +101,7 @@ impl Field {
                     let own = measure + std::mem::take(longest);
                     // a laminate of unlike layers that is squeezed bends so much in long waves that its faces move by more digits than they come together by
                     let reach = body.contacts().map(|contact| windows[contact].half).fold(0.0, f64::max);
-                    if body.bottom.is_some() && wavenumber * reach < LONG {
+                    if body.bottom.is_some() && wavenumber * reach < waves::LONG {
                         *longest = own;
                         continue;
                     }

@@ -9,7 +9,6 @@ use recede_layers::{State, Wave};
 
 use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, components};
 use super::error::FieldError;
-use super::means::LONG;
 use super::pressure::ContactPressure;
 use super::strip::Singularity;
 use super::surface::{COMPONENTS, Components};
@@ -260,7 +259,7 @@ impl Field {
             }
             // longer waves squeeze a laminate like these, and move it by so many more digits that it is not seen there
             let measure = if self.geometry.is_axisymmetric() { weight * wavenumber } else { *weight };
-            if body.bottom.is_some() && wavenumber * reach < LONG {
+            if body.bottom.is_some() && wavenumber * reach < waves::LONG {
                 *longest += measure;
                 continue;
             }

@@ -61,6 +61,9 @@ pub(crate) const DISPLACEMENTS: Precision = Precision { on_face: 1e-10, ..FULL }
 /// Displacements to some two digits.
 pub(crate) const ROUGH: Precision = Precision { displacements: true, ..COARSE };
 
+/// Waves with a smaller product of wavenumber and length of a contact squeeze a laminate like those with this one, since it gives way by even functions of the
+/// wavenumber: to the square of this.
+pub(super) const LONG: f64 = 1e-4;
 /// Largest phase of a panel, and the phase up to which half as many points or fewer suffice.
 const PHASE: f64 = 56.0;
 const SHORT_PHASE: f64 = 16.0;
