@@ -257,7 +257,7 @@ impl Field {
                     lifted[*k] = remainder[counted];
                 }
             }
-            // longer waves squeeze a laminate like these, and move it by so many more digits that it is not seen there
+            // the longest waves move a laminate by so much that rounding hides how they squeeze it: they squeeze it like the next shorter ones
             let measure = if self.geometry.is_axisymmetric() { weight * wavenumber } else { *weight };
             if body.bottom.is_some() && wavenumber * reach < waves::LONG {
                 *longest += measure;

@@ -51,7 +51,7 @@ pub(crate) struct Work {
 }
 
 impl Work {
-    /// With so many multiplications that may be made.
+    /// No more than this many multiplications, all starts together.
     pub(crate) fn at_most(most: f64) -> Self {
         Self { steps: Vec::new(), interpolated: 0, factorisations: 0, spent: 0.0, most, until: most }
     }
