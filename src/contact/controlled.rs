@@ -6,7 +6,7 @@ use std::f64::consts::LN_2;
 
 use crate::contact::error::{ContactError, Controlled, NoSolution};
 use crate::contact::problem::accuracy::{BEST, COARSE};
-use crate::contact::problem::profile::Profile;
+use crate::contact::problem::profile::PunchProfile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
@@ -285,7 +285,7 @@ fn expected(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
     let kernel = with_punch.as_ref().unwrap_or(kernel);
     let unit = kernel.modulus() * kernel.length();
     let (profile, half_length) =
-        (Profile::new(punch, kernel.length(), 1.0, Twin::of(kernel.geometry())), half_length / kernel.length());
+        (PunchProfile::new(punch, kernel.length(), 1.0, Twin::of(kernel.geometry())), half_length / kernel.length());
     let force = unit * formulas::force(kernel, &profile, half_length);
     if force.is_normal() && force > 0.0 {
         return force;

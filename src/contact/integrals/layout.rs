@@ -84,14 +84,14 @@ struct Plan<'a> {
     span: f64,
 }
 
-/// Wavenumbers of a part of a stretch.
+/// Some neighbouring wavenumbers, with what integrals take there.
 #[derive(Default)]
-struct Part {
+struct Nodes {
     /// The number of the first of them.
     first: usize,
     /// The weights of a sum that is the integral over dζ/ζ.
     weights: Vec<f64>,
-    /// Kernels there, in the storage of the part before.
+    /// Kernels there, in the storage of the nodes before.
     values: Values,
 }
 
@@ -153,7 +153,7 @@ impl Layout {
     /// All real wavenumbers; `None` if they are too many.
     fn real(&mut self, plan: &Plan) -> Option<()> {
         let last = plan.coupled.iter().chain(&plan.reaches).copied().fold(0.0, f64::max);
-        let mut part = Part::default();
+        let mut nodes = Nodes::default();
         let mut edge = 0.0;
         for panel in 0.. {
             if edge >= last {
@@ -169,7 +169,7 @@ impl Layout {
             while from < next {
                 let ends = plan.reaches.iter().chain(&plan.coupled).copied();
                 let to = ends.filter(|&end| from < end && end < next).fold(next, f64::min);
-                self.stretch(plan, panel, [from, to], &mut part);
+                self.stretch(plan, panel, [from, to], &mut nodes);
                 from = to;
             }
             edge = next;
@@ -178,7 +178,7 @@ impl Layout {
     }
 
     /// Adds the nodes of one stretch within a panel, unless nobody needs it.
-    fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, [from, to]: [f64; 2], part: &mut Part) {
+    fn stretch(&mut self, plan: &Plan, panel: Option<&Panel>, [from, to]: [f64; 2], nodes: &mut Nodes) {
         let Some((frequency, size)) = plan.wanted(panel, from, to) else { return };
         let digits = (size / plan.negligible).log10().clamp(1.0, f64::from(f64::DIGITS));
         let needed = points(frequency * (to - from), digits);
@@ -191,20 +191,20 @@ impl Layout {
         for number in 0..parts {
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             let [start, end] = [at(number), at(number + 1)];
-            part.first = self.zeta.len();
+            nodes.first = self.zeta.len();
             self.zeta.extend(points.on(start, end).map(|(zeta, _)| zeta));
-            part.weights.clear();
-            part.weights.extend(points.on(start, end).map(|(zeta, weight)| weight / zeta * self.twin.measure(zeta)));
+            nodes.weights.clear();
+            nodes.weights.extend(points.on(start, end).map(|(zeta, weight)| weight / zeta * self.twin.measure(zeta)));
             if let Some(panel) = panel {
-                panel.values(&self.zeta[part.first..], [start, end], &mut part.values);
+                panel.values(&self.zeta[nodes.first..], [start, end], &mut nodes.values);
             }
-            self.weigh(plan, panel.map(|_| &part.values), part, [from, to]);
+            self.weigh(plan, panel.map(|_| &nodes.values), nodes, [from, to]);
         }
     }
 
-    /// Adds the weights of all kernels, the values of which are known within a panel, at the real wavenumbers of a part of a stretch.
-    fn weigh(&mut self, plan: &Plan, values: Option<&Values>, part: &Part, [from, to]: [f64; 2]) {
-        let (kernel, zeta, weights) = (plan.kernel, &self.zeta[part.first..], &part.weights);
+    /// Adds the weights of all kernels, the values of which are known within a panel, at some real wavenumbers within a stretch.
+    fn weigh(&mut self, plan: &Plan, values: Option<&Values>, nodes: &Nodes, [from, to]: [f64; 2]) {
+        let (kernel, zeta, weights) = (plan.kernel, &self.zeta[nodes.first..], &nodes.weights);
         for (i, own) in self.own.iter_mut().enumerate().filter(|(i, _)| to <= plan.reaches[*i]) {
             let (far, start) = (kernel.asymptote(i), own.unit.len());
             match values {

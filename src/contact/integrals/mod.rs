@@ -1,5 +1,5 @@
 //! Integrals over the wavenumber of kernels times the transforms of pressures and tests.
-pub(crate) mod columns;
 pub(crate) mod layout;
 pub(crate) mod products;
+pub(crate) mod samples;
 pub(crate) mod tail;

@@ -4,11 +4,11 @@ use std::ops::Range;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 
-use crate::contact::integrals::columns::{ColumnRange, Columns};
+use crate::contact::integrals::samples::{ColumnRange, Samples};
 use crate::contact::integrals::tail::Weights;
 
 /// A matrix to be written.
-fn written(matrix: &mut Columns, columns: usize) -> MatMut<'_, f64> {
+fn written(matrix: &mut Samples, columns: usize) -> MatMut<'_, f64> {
     let rows = matrix.rows();
     MatMut::from_column_major_slice_mut(&mut matrix.values, rows, columns)
 }
@@ -17,8 +17,8 @@ fn written(matrix: &mut Columns, columns: usize) -> MatMut<'_, f64> {
 const TOGETHER: usize = 256;
 
 /// leftᵀ · weights · right.
-pub(crate) fn product(left: ColumnRange<'_>, weights: &Weights, right: ColumnRange<'_>) -> Columns {
-    let mut product = Columns::zeros(left.count(), right.count());
+pub(crate) fn product(left: ColumnRange<'_>, weights: &Weights, right: ColumnRange<'_>) -> Samples {
+    let mut product = Samples::zeros(left.count(), right.count());
     let count = right.count();
     for_weighted(weights, right, |rows, right| {
         let left = left.matrix(rows.clone()).transpose();

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use faer::Mat;
 
-use crate::contact::integrals::columns::Columns as Table;
+use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::equations::{Equations, Places, Sampled};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::system::{Rows, System};
@@ -95,7 +95,7 @@ impl Equations<'_> {
         let sampled = self.sampled(number);
         let Sampled { waves, long, whole: tests } = &*sampled;
         let mut sums = sums.iter_mut();
-        let mut add = |columns: &Weighted, left: &Table, told: &Table| {
+        let mut add = |columns: &Weighted, left: &Samples, told: &Samples| {
             sums.by_ref().take(1).for_each(|sums| sums.add(columns, left, told));
         };
         for contact in self.problem.unknown() {
@@ -118,7 +118,7 @@ impl Equations<'_> {
             let (coupling, parts) = (self.coupling(laminate, first), self.columns[laminate].parts());
             let reach = |contact: usize| self.zeta(contact, nodes.clone()).len();
             let count = coupling.len().min(reach(laminate)).min(reach(laminate + 1));
-            let differ = |of: &[Table]| differences(&of[laminate], &of[laminate + 1], count, parts, workspace);
+            let differ = |of: &[Samples]| differences(&of[laminate], &of[laminate + 1], count, parts, workspace);
             let pressed = differ(waves);
             add(&Weighted::new(&pressed, coupling, parts, workspace), &pressed, &differ(tests));
         }
@@ -233,7 +233,7 @@ impl Sums {
         Self { rows, columns, factor, all, is_symmetric, told, places, told_columns: None }
     }
 
-    fn add(&mut self, columns: &Weighted, left: &Table, told: &Table) {
+    fn add(&mut self, columns: &Weighted, left: &Samples, told: &Samples) {
         if self.is_symmetric {
             columns.add_symmetric(left, &mut self.all);
         } else {

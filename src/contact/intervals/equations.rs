@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::rc::Rc;
 
-use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
+use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::short_waves::ShortWaves;
@@ -44,10 +44,10 @@ pub(super) struct Equations<'a> {
 /// The columns of all contacts at some wavenumbers.
 pub(super) struct Sampled {
     /// What resultants, moments and rotations do to long waves left out; of a given pressure one column.
-    pub(super) waves: Vec<Table>,
+    pub(super) waves: Vec<Samples>,
     /// What is left out, and the tests that it belongs to as they are.
     pub(super) long: Vec<Long>,
-    pub(super) whole: Vec<Table>,
+    pub(super) whole: Vec<Samples>,
 }
 
 /// What the equations tell.
@@ -230,7 +230,7 @@ impl<'a> Equations<'a> {
         let (first, workspace) = (number * AT_ONCE, &self.problem.kernel.workspace);
         let nodes = first..self.layout.zeta.len().min(first + AT_ONCE);
         let all = 0..self.columns.len();
-        let waves: Vec<Table> = all.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
+        let waves: Vec<Samples> = all.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
         // of a given pressure none
         let long = |contact: usize| self.columns[contact].long_waves(self.zeta(contact, nodes.clone()), workspace);
         let long: Vec<Long> = all.map(long).collect();
@@ -245,12 +245,12 @@ impl<'a> Equations<'a> {
     }
 
     /// The columns of a contact at some wavenumbers.
-    fn waves(&self, contact: usize, nodes: Range<usize>) -> Table {
+    fn waves(&self, contact: usize, nodes: Range<usize>) -> Samples {
         let (zeta, workspace) = (self.zeta(contact, nodes), &self.problem.kernel.workspace);
         let Some(given) = self.problem.sides[contact].given() else {
             return self.columns[contact].waves(zeta, workspace);
         };
-        let mut column = Table::new(self.parts() * zeta.len(), 1, workspace);
+        let mut column = Samples::new(self.parts() * zeta.len(), 1, workspace);
         let even = zeta.iter().map(|zeta| zeta * given.transform_minus_one(*zeta));
         let odd = zeta.iter().filter(|_| self.moves).map(|zeta| zeta * given.odd_transform_less_moment(*zeta));
         column.values.iter_mut().zip(even.chain(odd)).for_each(|(into, value)| *into = value);

@@ -6,9 +6,9 @@
 //! intervals with closed forms, and for each interval with itself from the wavenumbers and the tail here.
 use std::f64::consts::PI;
 
-use crate::contact::integrals::columns::Columns as Table;
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::products::product;
+use crate::contact::integrals::samples::Samples;
 use crate::contact::integrals::tail::{Tail, Weights};
 use crate::contact::intervals::columns::{Columns, Other};
 use crate::contact::intervals::space::InSpace;
@@ -18,7 +18,7 @@ use crate::numeric::bessel;
 
 /// The columns of one interval at short waves, and the weights of the kernel there.
 pub(super) struct ShortWaves {
-    table: Table,
+    table: Samples,
     weights: Weights,
 }
 
@@ -59,7 +59,7 @@ impl Columns<'_> {
             let products = match space.amplitudes {
                 None => product(table.part(tested), weights, table.all()),
                 Some(amplitudes) => {
-                    let mut sums = Table::zeros(table.rows(), 2);
+                    let mut sums = Samples::zeros(table.rows(), 2);
                     for Pressing { column, place, is_odd, part } in &pressing {
                         let sum = sums.column_mut(usize::from(*is_odd)).iter_mut().zip(table.column(*place));
                         sum.for_each(|(sum, value)| *sum += part * amplitudes[*column] * value);
@@ -121,11 +121,11 @@ struct Pressing {
 }
 
 /// J of all orders that are wanted, then ζ J_0 and ζ J_1 of singular pressures, at the real wavenumbers and in the rows of a tail.
-fn table(kernel: &Kernel, real: &[f64], tail: &Tail, interval: &ContactInterval, orders: usize) -> Table {
+fn table(kernel: &Kernel, real: &[f64], tail: &Tail, interval: &ContactInterval, orders: usize) -> Samples {
     let (first, rows) = (real.len(), real.len() + tail.rows());
     let (half, wanted) = (interval.half, interval.wanted());
     let count = wanted.below(orders);
-    let mut table = Table::new(rows, count + 2, &kernel.workspace);
+    let mut table = Samples::new(rows, count + 2, &kernel.workspace);
     let arguments: Vec<f64> = real.iter().map(|zeta| zeta * half).collect();
     bessel::scaled_orders(orders, wanted, &arguments, 1.0, rows, &mut table.values);
     tail.tabulate(&kernel.workspace, (half, 1.0), (wanted, orders), (first, rows), &mut table.values);

@@ -6,7 +6,7 @@ use faer::linalg::matmul::triangular::BlockStructure;
 use faer::linalg::matmul::{matmul, triangular};
 use faer::{Accum, Mat, Par};
 
-use crate::contact::integrals::columns::Columns as Table;
+use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::numeric::bessel;
@@ -18,15 +18,15 @@ pub(super) const AT_ONCE: usize = 96;
 /// What resultants, moments and rotations do to long waves, with the places of the columns or tests that these belong to.
 pub(super) struct Long {
     pub(super) places: Vec<usize>,
-    pub(super) values: Table,
+    pub(super) values: Samples,
 }
 
 impl Columns<'_> {
     /// All columns at some wavenumbers: terms, singular pressures at ends, other tests; what resultants, moments and rotations do to long waves left out.
-    pub(super) fn waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Table {
+    pub(super) fn waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Samples {
         let (terms, ends, nodes) = (self.terms(), self.ends(), zeta.len());
         let others = self.others();
-        let mut all = Table::new(self.parts() * nodes, terms + ends + others.len(), workspace);
+        let mut all = Samples::new(self.parts() * nodes, terms + ends + others.len(), workspace);
         for number in 0..self.intervals.len() {
             self.put_waves(&mut all, number, zeta, workspace);
         }
@@ -54,14 +54,14 @@ impl Columns<'_> {
     }
 
     /// The columns and tests of one interval as they are.
-    fn put_waves(&self, all: &mut Table, number: usize, zeta: &[f64], workspace: &Arc<Workspace>) {
+    fn put_waves(&self, all: &mut Samples, number: usize, zeta: &[f64], workspace: &Arc<Workspace>) {
         let interval = &self.intervals[number];
         let ContactInterval { middle, half, .. } = *interval;
         let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
         let (orders, twin) = ((interval.order(count - 1) + 1).max(4), interval.twin);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
         let wanted = interval.wanted();
-        let mut table = Table::new(nodes, wanted.below(orders), workspace);
+        let mut table = Samples::new(nodes, wanted.below(orders), workspace);
         bessel::scaled_orders(orders, wanted, &arguments, 1.0, nodes, &mut table.values);
         let (sines, cosines): (Vec<f64>, Vec<f64>) = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).unzip();
         self.put_terms(all, number, &table, [&sines, &cosines]);
@@ -106,7 +106,7 @@ impl Columns<'_> {
     }
 
     /// The terms of one interval, from a table of Bessel functions and the sines and cosines of ζ middle.
-    fn put_terms(&self, all: &mut Table, number: usize, table: &Table, [sines, cosines]: [&Vec<f64>; 2]) {
+    fn put_terms(&self, all: &mut Samples, number: usize, table: &Samples, [sines, cosines]: [&Vec<f64>; 2]) {
         let interval = &self.intervals[number];
         for m in 0..self.counts[number] {
             let order = interval.order(m);
@@ -133,7 +133,7 @@ impl Columns<'_> {
     /// them.
     pub(super) fn long_waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Long {
         let (carried, others, places) = (self.carried(), self.others(), self.told());
-        let mut values = Table::new(self.parts() * zeta.len(), places.len(), workspace);
+        let mut values = Samples::new(self.parts() * zeta.len(), places.len(), workspace);
         for (number, place) in places.iter().enumerate() {
             let ([resultant, moment], rotation) = match place.checked_sub(carried.len()) {
                 None => (carried[*place], 0.0),
@@ -169,10 +169,16 @@ fn less_one(a: f64, b: f64) -> f64 {
 }
 
 /// Columns of two neighbours at the first wavenumbers: what the first ones are more than the others, and behind these the others.
-pub(super) fn differences(one: &Table, other: &Table, count: usize, parts: usize, workspace: &Arc<Workspace>) -> Table {
+pub(super) fn differences(
+    one: &Samples,
+    other: &Samples,
+    count: usize,
+    parts: usize,
+    workspace: &Arc<Workspace>,
+) -> Samples {
     let columns = one.count();
     let [of_one, of_other] = [one, other].map(|columns| columns.rows() / parts);
-    let mut all = Table::new(parts * count, 2 * columns, workspace);
+    let mut all = Samples::new(parts * count, 2 * columns, workspace);
     for column in 0..columns {
         let [one, other] = [one, other].map(|columns| columns.column(column));
         for part in 0..parts {
@@ -188,15 +194,15 @@ pub(super) fn differences(one: &Table, other: &Table, count: usize, parts: usize
 
 /// Columns times weights, over as many wavenumbers as there are weights and values.
 pub(super) struct Weighted {
-    values: Table,
+    values: Samples,
     parts: usize,
 }
 
 impl Weighted {
-    pub(super) fn new(columns: &Table, weights: &[f64], parts: usize, workspace: &Arc<Workspace>) -> Self {
+    pub(super) fn new(columns: &Samples, weights: &[f64], parts: usize, workspace: &Arc<Workspace>) -> Self {
         let own = columns.rows() / parts;
         let count = weights.len().min(own);
-        let mut values = Table::new(parts * count, columns.count(), workspace);
+        let mut values = Samples::new(parts * count, columns.count(), workspace);
         for column in 0..columns.count() {
             for (part, into) in values.column_mut(column).chunks_mut(count.max(1)).enumerate() {
                 let values = columns.column(column)[part * own..].iter().zip(weights);
@@ -207,14 +213,14 @@ impl Weighted {
     }
 
     /// The rows of real parts, and of imaginary ones, of other columns and of these.
-    fn rows(&self, left: &Table) -> impl Iterator<Item = [Range<usize>; 2]> {
+    fn rows(&self, left: &Samples) -> impl Iterator<Item = [Range<usize>; 2]> {
         let [own, other] = [left, &self.values].map(|columns| columns.rows() / self.parts);
         let count = own.min(other);
         (0..self.parts).map(move |part| [own, other].map(|rows| part * rows..part * rows + count))
     }
 
     /// Adds leftᵀ · weights · columns.
-    pub(super) fn add_tested(&self, left: &Table, product: &mut Mat<f64>) {
+    pub(super) fn add_tested(&self, left: &Samples, product: &mut Mat<f64>) {
         for [rows, own] in self.rows(left) {
             let (left, right) = (left.all().matrix(rows).transpose(), self.values.all().matrix(own));
             matmul(product.as_mut(), Accum::Add, left, right, 1.0, Par::Seq);
@@ -222,7 +228,7 @@ impl Weighted {
     }
 
     /// Adds the lower half of the same.
-    pub(super) fn add_symmetric(&self, columns: &Table, product: &mut Mat<f64>) {
+    pub(super) fn add_symmetric(&self, columns: &Samples, product: &mut Mat<f64>) {
         let (lower, all) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
         for [rows, own] in self.rows(columns) {
             let (left, right) = (columns.all().matrix(rows).transpose(), self.values.all().matrix(own));
@@ -240,7 +246,7 @@ impl Weighted {
 
     /// The columns at these places.
     pub(super) fn part(&self, places: &[usize]) -> Self {
-        let mut values = Table::zeros(self.values.rows(), places.len());
+        let mut values = Samples::zeros(self.values.rows(), places.len());
         for (number, place) in places.iter().enumerate() {
             values.column_mut(number).copy_from_slice(self.values.column(*place));
         }
@@ -250,8 +256,8 @@ impl Weighted {
 
 impl Long {
     /// The tests as they are: what [`Columns::waves`] has of them and what it leaves out, added before anything is summed, since both cancel for short waves.
-    pub(super) fn whole(&self, waves: &Table, workspace: &Arc<Workspace>) -> Table {
-        let mut whole = Table::new(self.values.rows(), self.places.len(), workspace);
+    pub(super) fn whole(&self, waves: &Samples, workspace: &Arc<Workspace>) -> Samples {
+        let mut whole = Samples::new(self.values.rows(), self.places.len(), workspace);
         for (number, place) in self.places.iter().enumerate() {
             let both = self.values.column(number).iter().zip(waves.column(*place));
             whole.column_mut(number).iter_mut().zip(both).for_each(|(sum, (value, wave))| *sum = value + wave);

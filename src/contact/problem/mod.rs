@@ -20,7 +20,7 @@ use crate::solution::Interface;
 use accuracy::MOST_OPERATIONS;
 use load::Given;
 use placed::Placed;
-use profile::Profile;
+use profile::PunchProfile;
 use twin::Twin;
 
 /// One punch, or one given load, pressed with one force on a stack.
@@ -54,7 +54,7 @@ pub(crate) struct Group {
 /// What is special about a contact.
 pub(crate) enum Side<'a> {
     /// A punch presses there.
-    Profile(Profile<'a>),
+    Profile(PunchProfile<'a>),
     /// Two bodies that fit together lie on each other: the contact recedes.
     Closed,
     /// Punches press there, and their contacts are not even.
@@ -81,7 +81,7 @@ impl<'a> Problem<'a> {
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
             Top::Punches(punches) => match top.even_punch() {
-                Some(punch) => Side::Profile(Profile::new(punch, length, force, twin)),
+                Some(punch) => Side::Profile(PunchProfile::new(punch, length, force, twin)),
                 None => Side::Punches(Placed::all(punches, origin, length, force)),
             },
         };
@@ -179,7 +179,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The profiles of all punches, with the contacts where they press.
-    pub(crate) fn profiles(&self) -> impl Iterator<Item = (usize, &Profile<'a>)> {
+    pub(crate) fn profiles(&self) -> impl Iterator<Item = (usize, &PunchProfile<'a>)> {
         self.sides.iter().enumerate().filter_map(|(i, side)| side.profile().map(|profile| (i, profile)))
     }
 
@@ -201,7 +201,7 @@ impl<'a> Problem<'a> {
 }
 
 impl<'a> Side<'a> {
-    pub(crate) fn profile(&self) -> Option<&Profile<'a>> {
+    pub(crate) fn profile(&self) -> Option<&PunchProfile<'a>> {
         if let Self::Profile(profile) = self { Some(profile) } else { None }
     }
 
@@ -232,7 +232,7 @@ impl<'a> Side<'a> {
 
     /// Half-length at which the punch ends, in units of L.
     pub(crate) fn edge(&self) -> Option<f64> {
-        self.profile().and_then(Profile::edge)
+        self.profile().and_then(PunchProfile::edge)
     }
 
     /// Whether the punch of the contact has sharp corners.
@@ -261,7 +261,7 @@ impl<'a> Side<'a> {
 
     /// Whether the pressure is infinite at the apex of a punch.
     pub(crate) fn is_sharp(&self) -> bool {
-        self.profile().is_some_and(Profile::is_sharp)
+        self.profile().is_some_and(PunchProfile::is_sharp)
     }
 
     /// The half-length at which a step from `before` to `after` ends.

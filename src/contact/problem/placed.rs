@@ -1,7 +1,7 @@
 //! A punch anywhere on the top face, one of those whose contacts are not even.
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::Group;
-use crate::contact::problem::profile::{NEARLY, Profile, Span};
+use crate::contact::problem::profile::{NEARLY, PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::geometry::Geometry;
 use crate::scene::{Pressed, Punch, Punches, Tilt};
@@ -13,7 +13,7 @@ const HALVINGS: usize = 60;
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
 pub(crate) struct Placed<'a> {
     punch: &'a Punch,
-    profile: Profile<'a>,
+    profile: PunchProfile<'a>,
     at: f64,
     /// Its part of P'.
     share: f64,
@@ -29,7 +29,7 @@ impl<'a> Placed<'a> {
     pub(crate) fn all(punches: &'a Punches, origin: f64, length: f64, force: f64) -> Vec<Self> {
         let of = |(pressed, share): (&'a Pressed, f64)| Self {
             punch: pressed.shape(),
-            profile: Profile::new(pressed.shape(), length, force, Twin::Plane),
+            profile: PunchProfile::new(pressed.shape(), length, force, Twin::Plane),
             at: pressed.at() / length - origin,
             share,
             tilt: pressed.tilt(),
@@ -123,8 +123,8 @@ impl<'a> Placed<'a> {
     }
 
     /// The profile by itself, pressed with its own part of the force.
-    pub(crate) fn alone(&self) -> Profile<'a> {
-        Profile::new(self.punch, self.length, self.share * self.force, Twin::Plane)
+    pub(crate) fn alone(&self) -> PunchProfile<'a> {
+        PunchProfile::new(self.punch, self.length, self.share * self.force, Twin::Plane)
     }
 
     /// The error that the punch is too small for a contact that ends at x.

@@ -32,7 +32,7 @@ impl Span {
 }
 
 /// The profile of a punch pressed with a force, in the units of the kernel.
-pub(crate) struct Profile<'a> {
+pub(crate) struct PunchProfile<'a> {
     punch: &'a Punch,
     pub(super) shape: Shape<'a>,
     /// Length L in the units of the scene.
@@ -42,7 +42,7 @@ pub(crate) struct Profile<'a> {
     pub(super) twin: Twin,
 }
 
-impl<'a> Profile<'a> {
+impl<'a> PunchProfile<'a> {
     /// A punch in units of L, pressed with P'.
     pub(crate) fn new(punch: &'a Punch, length: f64, force: f64, twin: Twin) -> Self {
         Self { punch, shape: punch.shape(), length, force, twin }

@@ -12,7 +12,7 @@ use num_complex::Complex64;
 
 use crate::contact::problem::accuracy::ROUNDING;
 use crate::contact::problem::modes::{alternating, order};
-use crate::contact::problem::profile::{Profile, Span};
+use crate::contact::problem::profile::{PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::quadrature::rule;
 use crate::numeric::vector::{LANES, vectorised};
@@ -110,7 +110,7 @@ impl Slopes {
     }
 }
 
-impl Profile<'_> {
+impl PunchProfile<'_> {
     /// The first `count` rows on an interval.
     pub(crate) fn rows(&self, span: Span, count: usize) -> Vec<f64> {
         debug_assert!(span.step == 1 || self.shape.is_even(), "an uneven profile has rows of even k as well");

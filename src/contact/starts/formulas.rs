@@ -3,7 +3,7 @@ use crate::contact::intervals::Expected;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::placed::Placed;
-use crate::contact::problem::profile::Profile;
+use crate::contact::problem::profile::PunchProfile;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
@@ -24,12 +24,12 @@ pub(crate) const TYPICAL: f64 = 1.2;
 
 /// The force P' at which the contact under a punch, the uppermost one, is expected to have a half-length (in units of L), for
 /// an indentation by P' = 1.
-pub(crate) fn force(kernel: &Kernel, profile: &Profile, half_length: f64) -> f64 {
+pub(crate) fn force(kernel: &Kernel, profile: &PunchProfile, half_length: f64) -> f64 {
     force_on(kernel, profile, half_length, Kernel::closed)
 }
 
 /// The same on a stack with another compliance at a wavenumber.
-fn force_on(kernel: &Kernel, profile: &Profile, half_length: f64, compliance: fn(&Kernel, f64) -> f64) -> f64 {
+fn force_on(kernel: &Kernel, profile: &PunchProfile, half_length: f64, compliance: fn(&Kernel, f64) -> f64) -> f64 {
     let twin = Twin::of(kernel.geometry());
     twin.force_under(profile.first_row(half_length), half_length, compliance(kernel, TYPICAL / half_length))
 }
@@ -144,7 +144,7 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force_on`] is 1, or next to the edge of a
 /// punch under which it is 1 nowhere.
-fn under_punch(kernel: &Kernel, profile: &Profile, compliance: fn(&Kernel, f64) -> f64) -> f64 {
+fn under_punch(kernel: &Kernel, profile: &PunchProfile, compliance: fn(&Kernel, f64) -> f64) -> f64 {
     // as far as doubles reach
     let longest = 300.0 * std::f64::consts::LN_10;
     let (mut low, mut high) = (-longest, profile.edge().map_or(longest, f64::ln));

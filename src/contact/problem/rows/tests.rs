@@ -20,8 +20,8 @@ fn punches() -> Vec<Punch> {
 }
 
 /// In units none of which is 1.
-fn profile(punch: &Punch, twin: Twin) -> Profile<'_> {
-    Profile::new(punch, 0.7, 1.3, twin)
+fn profile(punch: &Punch, twin: Twin) -> PunchProfile<'_> {
+    PunchProfile::new(punch, 0.7, 1.3, twin)
 }
 
 /// Intervals with x = 0 inside, and without.
@@ -35,7 +35,7 @@ fn intervals() -> impl Iterator<Item = Span> {
 }
 
 /// The rows by a rule of very many points, finest on either side of a tip.
-fn brute(profile: &Profile, span: Span, rows: usize) -> Vec<f64> {
+fn brute(profile: &PunchProfile, span: Span, rows: usize) -> Vec<f64> {
     let points = 300_000;
     let mut sums = vec![0.0; rows];
     let tip = (-span.middle / span.half).clamp(-1.0, 1.0).acos();
@@ -116,7 +116,7 @@ fn corners_next_to_the_tip_take_no_digits_of_the_pressure_there() {
         // ∫ (2/cosh u − c) du up to where both are the same
         let end = (2.0 / corner).acosh();
         let (found, exact) =
-            (Profile::new(&punch, 1.0, 1.0, Twin::Plane).apex(2.0), 2.0 * end.sinh().atan() - corner * end);
+            (PunchProfile::new(&punch, 1.0, 1.0, Twin::Plane).apex(2.0), 2.0 * end.sinh().atan() - corner * end);
         assert!((found / exact - 1.0).abs() < 1e-13, "{corner}: {found} {exact}");
     }
 }
@@ -125,7 +125,7 @@ fn corners_next_to_the_tip_take_no_digits_of_the_pressure_there() {
 fn long_series_stay_exact() {
     // a flat punch whose corners are so far out that they hardly round it: ± 2 sin(kθ_c)/k dominates
     let punch = Punch::rounded_flat(1.0, 1.0).unwrap();
-    let rows = Profile::new(&punch, 1.0, 1.0, Twin::Plane).rows(Span::even(2.0), 2000);
+    let rows = PunchProfile::new(&punch, 1.0, 1.0, Twin::Plane).rows(Span::even(2.0), 2000);
     let corner = 0.5f64.acos();
     for m in [0, 10, 500, 1999] {
         let k = order(m);

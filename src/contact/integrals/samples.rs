@@ -10,8 +10,8 @@ use crate::numeric::workspace::Workspace;
 /// Columns taken together.
 const TOGETHER: usize = 4;
 
-/// Columns, one after the other.
-pub(crate) struct Columns {
+/// Columns of samples at wavenumbers, one after the other.
+pub(crate) struct Samples {
     rows: usize,
     count: usize,
     pub(crate) values: Vec<f64>,
@@ -19,7 +19,7 @@ pub(crate) struct Columns {
     workspace: Option<Arc<Workspace>>,
 }
 
-impl Drop for Columns {
+impl Drop for Samples {
     fn drop(&mut self) {
         if let Some(workspace) = &self.workspace {
             workspace.keep(std::mem::take(&mut self.values));
@@ -27,7 +27,7 @@ impl Drop for Columns {
     }
 }
 
-impl Columns {
+impl Samples {
     /// Columns to be overwritten, in storage of a workspace.
     pub(crate) fn new(rows: usize, columns: usize, workspace: &Arc<Workspace>) -> Self {
         Self { rows, count: columns, values: workspace.take(rows * columns), workspace: Some(workspace.clone()) }
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn sums_are_those_of_single_columns() {
         for (rows, count) in [(0, 3), (1, 1), (7, 5), (16, 4), (37, 11)] {
-            let mut columns = Columns::zeros(rows, count);
+            let mut columns = Samples::zeros(rows, count);
             columns.values.iter_mut().enumerate().for_each(|(k, value)| *value = (k as f64).sin());
             let part = columns.part(0..count);
             let factors: Vec<f64> = (0..count).map(|m| (3.0 + m as f64).cos()).collect();
