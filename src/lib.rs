@@ -111,7 +111,9 @@ pub use scene::{
     ElasticCylinder, Force, HeightsError, Item, ListError, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad, Pressed,
     Punch, Punches, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
 };
-pub use solution::{Carried, Contact, Interface, Interval, Peak, Solution, Stats, Warning, WarningCode};
+pub use solution::{
+    Carried, Contact, Interface, Interval, Ledger, LedgerEntry, Peak, Solution, Stats, Warning, WarningCode,
+};
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,
     StackProblem,

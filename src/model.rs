@@ -3,14 +3,14 @@ use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
 use crate::collocation::{self, Collocated};
-use crate::contact::{self, Asked, Controlled, Curves, Measured};
+use crate::contact::{self, Asked, Controlled, Curves, Measured, NoSolution};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Scene, Top};
-use crate::solution::{Contact, Interface, OwnerKey, Solution};
+use crate::solution::{Contact, Interface, Ledger, OwnerKey, Solution};
 use crate::stack::Stack;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
@@ -155,6 +155,17 @@ impl Model {
         let top = top.into();
         let kernel = self.asked(&top, &Options::default()).kernel_under(solution.force()).into_owned();
         collocation::check(&top, &self.stack, &kernel, solution)
+    }
+
+    /// The unknowns and rows of the contact equations that a solution of this model solves; none where all pressures are given.
+    ///
+    /// # Errors
+    /// [`Error::Field`] if the solution is one of another stack; [`Error::NoSolution`] if it is of low accuracy, since the contact equations were not solved then.
+    pub fn ledger(&self, top: impl Into<Top>, solution: &Solution) -> Result<Ledger, Error> {
+        self.check_owns(solution)?;
+        let top = top.into();
+        let ledger = contact::ledger(&self.asked(&top, &Options::default()), solution);
+        ledger.ok_or_else(|| NoSolution::NotConverged.into())
     }
 
     /// Refuses a solution of another stack.

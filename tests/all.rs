@@ -41,6 +41,7 @@ mod json;
 mod kinds;
 mod laws;
 mod layers;
+mod ledger;
 mod list;
 mod loads;
 mod many_loads;

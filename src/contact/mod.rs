@@ -18,7 +18,7 @@ use std::borrow::Cow;
 
 use crate::kernel::Kernel;
 use crate::scene::Top;
-use crate::solution::{Interface, OwnerKey, Solution};
+use crate::solution::{Interface, Ledger, OwnerKey, Solution};
 
 pub(crate) use controlled::{Measured, press_to};
 pub use error::{ContactError, Controlled, NoSolution};
@@ -53,6 +53,12 @@ pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError>
         solve_in_order(&problem)?
     };
     Ok(answer.into_solution(&problem, force, Some(asked.stack)))
+}
+
+/// The contact equations of a solution in words, see [`intervals::ledger`].
+pub(crate) fn ledger(asked: &Asked, solution: &Solution) -> Option<Ledger> {
+    let own = &*asked.kernel_under(solution.force());
+    intervals::ledger(&asked.problem(own, solution.force()), solution)
 }
 
 impl Asked<'_> {

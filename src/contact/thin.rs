@@ -184,6 +184,9 @@ impl<'a> Thin<'a> {
         for (lower, error) in self.joined.iter().rev() {
             answer.contacts.insert(lower - known, answer.contacts[lower - known - 1].clone());
             answer.stats.modes.insert(*lower, answer.stats.modes[*lower - 1]);
+            if let Some(above) = answer.stats.terms.get(*lower - 1).cloned() {
+                answer.stats.terms.insert(*lower, above);
+            }
             answer.warnings.push(left_out(format!(
                 "the layer above the contact {} is so thin that it is left out, and both of its faces carry the same \
                  pressure: that changes the ends of the contact by about {error:.0e}, and the pressure near the ends of the contact",

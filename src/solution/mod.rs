@@ -1,5 +1,6 @@
 //! What a solved scene tells.
 mod contact;
+mod ledger;
 mod peak;
 mod strip;
 mod warning;
@@ -11,6 +12,7 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer};
 
 pub use contact::{Contact, Interval};
+pub use ledger::{Ledger, LedgerEntry};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip, jacobi_weights, tip_coefficient};
 pub use warning::{Warning, WarningCode};
@@ -87,6 +89,9 @@ pub struct Stats {
     pub interpolated: usize,
     /// Terms in the series of each pressure, contacts from the top down.
     pub modes: Vec<usize>,
+    /// The same of each interval, if the contact equations were solved; of x ≥ 0 alone where all is even.
+    #[serde(skip)]
+    pub terms: Vec<Vec<usize>>,
     /// Newton steps, and rounds of iteration, on each level of refinement, the coarsest first; for each force that was tried, if
     /// it was found.
     pub newton_steps: Vec<usize>,

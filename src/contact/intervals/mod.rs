@@ -7,6 +7,7 @@ mod equations;
 mod errors;
 mod gaps;
 mod kept;
+mod ledger;
 mod left_out;
 mod local;
 mod newton;
@@ -36,6 +37,7 @@ use crate::numeric::largest;
 use crate::solution::{self, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
 use gaps::Fault;
+pub(super) use ledger::ledger;
 use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
 pub(super) use support::Intervals;
@@ -186,11 +188,14 @@ fn answered(
     errors.admit(&level, &signs);
     warnings.extend(signs.recontacts.iter().map(|recontact| recontact.warning(problem)));
     warnings.extend(problem.unknown().filter_map(|contact| errors.unknown_end(problem, &level.support, contact)));
-    let terms = |contact| {
-        (0..level.counts.len()).filter(|k| level.support.0[*k].contact == contact).map(|k| level.counts[k]).max()
+    let of = |contact: usize| {
+        let own = level.support.0.iter().zip(&level.counts).filter(|(interval, _)| interval.contact == contact);
+        own.map(|(_, count)| *count).collect::<Vec<_>>()
     };
+    let terms: Vec<Vec<usize>> = (0..problem.contacts()).map(of).collect();
     let stats = Stats {
-        modes: (0..problem.contacts()).map(|contact| terms(contact).unwrap_or(1)).collect(),
+        modes: terms.iter().map(|own| own.iter().copied().max().unwrap_or(1)).collect(),
+        terms,
         newton_steps: work.steps.clone(),
         interpolated: work.interpolated,
         factorisations: work.factorisations,
