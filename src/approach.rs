@@ -118,9 +118,10 @@ fn punches<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punches, ApproachError
     if top.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(punches) }
 }
 
-/// The punch about x = 0, if there is no other one, and an approach is defined for it on a stack.
+/// The punch that is symmetric and not turned, if there is no other one, and an approach is defined for it on a stack.
 pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, ApproachError> {
-    punches(top, stack)?.alone().filter(|punch| punch.is_even()).ok_or(ApproachError::Punches)
+    punches(top, stack)?;
+    top.even_punch().ok_or(ApproachError::Punches)
 }
 
 /// The approach of each punch, from left to right; one entry that says why where there are none.
@@ -220,10 +221,9 @@ fn stiffness(
 /// The sum of the errors of all pressures, as parts of the mean pressures, and with `ends` also of the half-lengths.
 fn relative_error(solution: &Solution, ends: bool) -> f64 {
     let of = |contact: &Contact| {
-        let a = contact.reach();
-        let end = contact.innermost().end_error();
+        let (a, [_, pressure], end) = (contact.half_span(), contact.middle_pressure, contact.end_error());
         // nothing depends on an end that is not known at all
-        2.0 * a * contact.central_pressure_error / contact.resultant + if ends && end < 1.0 { end } else { 0.0 }
+        2.0 * a * pressure / contact.resultant + if ends && end < 1.0 { end } else { 0.0 }
     };
     solution.contacts().iter().map(of).filter(|error| error.is_finite()).sum::<f64>()
 }
@@ -236,9 +236,11 @@ fn sunk(
     stack: &Stack,
     solution: &Solution,
 ) -> Result<[f64; 2], FieldError> {
+    // places count from the tip
+    let tip = solution.about().unwrap_or(0.0);
     let window = |contact: &Contact| {
         let [middle, _] = contact.touching();
-        MeanWindow { middle, half: contact.innermost().right - middle }
+        MeanWindow { middle: middle - tip, half: contact.innermost().right - middle }
     };
     let mut windows: Vec<MeanWindow> = solution.contacts().iter().map(window).collect();
     for alike in windows.chunk_by_mut(|a, b| a.middle == b.middle && (a.half / b.half).log2().abs() < ALIKE) {

@@ -113,14 +113,15 @@ pub(crate) fn check(top: &Top, stack: &Stack, kernel: &Kernel, solution: &Soluti
 
 /// The points of all contacts whose pressure was to be found.
 fn points<'a>(top: &Top, solution: &'a Solution) -> Vec<Points<'a>> {
-    let is_even = solution.is_even();
+    let about = solution.about();
     let x = |interval: &Interval| {
         let (middle, half) = (0.5 * (interval.left + interval.right), 0.5 * (interval.right - interval.left));
         (0..POINTS).map(|k| middle - half * (PI * (k as f64 + 0.5) / POINTS as f64).cos()).collect()
     };
     let is_unknown = |contact: &Contact| contact.interface != Interface::Punch || top.punches().is_some();
     let of = |(number, contact): (usize, &'a Contact)| {
-        let intervals = contact.intervals.iter().enumerate().filter(|(_, one)| !is_even || one.right > 0.0);
+        let intervals =
+            contact.intervals.iter().enumerate().filter(|(_, one)| about.is_none_or(|about| one.right > about));
         let punch = |k: usize| contact.punches.get(k).copied().unwrap_or(0);
         let points = move |(k, interval)| Points { contact: number, punch: punch(k), interval, x: x(interval) };
         intervals.map(points).collect::<Vec<_>>()
@@ -131,10 +132,10 @@ fn points<'a>(top: &Top, solution: &'a Solution) -> Vec<Points<'a>> {
 /// The terms of the pressure that may change on an interval, each by the largest pressure of its contact.
 fn changes(points: &Points, solution: &Solution, peak: f64, is_round: bool) -> Vec<Change> {
     let (contact, interval) = (&solution.contacts()[points.contact], points.interval);
-    let is_even = solution.is_even();
-    let is_middle = is_even && interval.left == -interval.right;
+    let about = solution.about();
+    let is_middle = about.is_some_and(|about| interval.left < about && about < interval.right);
     let blank = Strip {
-        at: 0.5 * (interval.left + interval.right),
+        at: about.filter(|_| is_middle).unwrap_or(0.5 * (interval.left + interval.right)),
         is_round,
         ..Strip::series(0.5 * (interval.right - interval.left), Vec::new())
     };
@@ -150,7 +151,10 @@ fn changes(points: &Points, solution: &Solution, peak: f64, is_round: bool) -> V
     let corners: &[[f64; 2]] = if is_middle { &[[1.0, 1.0]] } else { &[[1.0, 0.0], [0.0, 1.0]] };
     let own = corners.iter().filter(|corners| (0..2).any(|side| corners[side] != 0.0 && is_corner(side)));
     strips.extend(own.map(|corners| Strip { corners: corners.map(|corner| corner * peak), ..blank.clone() }));
-    let with_image = |strip: Strip| if is_even && !is_middle { vec![strip.mirrored(), strip] } else { vec![strip] };
+    let with_image = |strip: Strip| match about.filter(|_| !is_middle) {
+        Some(about) => vec![strip.mirrored(about), strip],
+        None => vec![strip],
+    };
     let change = |strip| Change { contact: points.contact, punch: points.punch, strips: with_image(strip) };
     strips.into_iter().map(change).collect()
 }
@@ -160,7 +164,7 @@ impl Change {
     fn added_to(&self, solution: &Solution) -> Solution {
         let mut changed = solution.clone();
         let contact = &mut changed.contacts[self.contact];
-        // strips stand from left to right on either side of x = 0
+        // strips stand from left to right on either side of the middle of what is even
         let (image, own) = self.strips.split_at(self.strips.len() - 1);
         contact.strips.splice(0..0, image.iter().cloned());
         contact.strips.extend(own.iter().cloned());
@@ -226,7 +230,7 @@ fn closing(
     gaps: &[f64],
     heights: &[f64],
 ) -> Vec<f64> {
-    let (contacts, is_even) = (solution.contacts(), solution.is_even());
+    let (contacts, is_even) = (solution.contacts(), solution.about().is_some());
     let mut owners: Vec<[usize; 2]> = points.iter().map(|points| [points.contact, points.punch]).collect();
     owners.dedup();
     let turns = |punch: usize| {

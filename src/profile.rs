@@ -46,7 +46,7 @@ pub struct FaceProfile {
 }
 
 /// Places from −`to` to `to`, about `count` of them, dense next to the ends of all contacts, where pressures and gaps begin like roots;
-/// without `to`, twice as far as the bodies touch.
+/// without `to`, twice as far from the middle of what touches as its ends are.
 ///
 /// ```
 /// use recede::{HalfPlane, Model, Plane, Punch, Stack, profile_places};
@@ -58,26 +58,23 @@ pub struct FaceProfile {
 /// # Ok::<(), recede::Error>(())
 /// ```
 pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec<f64> {
-    let to = to.unwrap_or_else(|| BEYOND * solution.extent().unwrap_or(1.0));
-    let ends =
-        solution.contacts().iter().flat_map(Contact::intervals).flat_map(|interval| [interval.left, interval.right]);
-    let ends: Vec<f64> = ends.collect();
-    // the places on one side of x = 0, from there outwards
-    let beside = |side: f64| {
-        let mut breaks: Vec<f64> =
-            ends.iter().map(|x| side * x).filter(|x| *x > 0.0 && *x < to).chain([0.0, to]).collect();
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
-        let steps = (count / (2 * (breaks.len() - 1))).max(4);
-        let mut places: Vec<f64> = Vec::new();
-        for pair in breaks.windows(2) {
-            let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
-            places.extend((1..steps).map(|k| middle - half * (PI * k as f64 / steps as f64).cos()));
-            places.push(pair[1]);
-        }
-        places
+    let [left, right] = solution.ends();
+    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+    // a line load by itself has no length
+    let beyond = BEYOND * if half > 0.0 { half } else { 1.0 };
+    let [first, last] = to.map_or([middle - beyond, middle + beyond], |to| [-to, to]);
+    let ends = solution.contacts().iter().flat_map(Contact::intervals).flat_map(|one| [one.left, one.right]);
+    let inside = ends.chain([middle]).filter(|x| *x > first && *x < last);
+    let mut breaks: Vec<f64> = inside.chain([first, last]).collect();
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    let steps = (count / (breaks.len() - 1)).max(4);
+    let between = |pair: &[f64]| {
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        let place = move |k: usize| middle - half * (PI * k as f64 / steps as f64).cos();
+        (1..steps).map(place).chain([pair[1]]).collect::<Vec<_>>()
     };
-    beside(-1.0).iter().rev().map(|x| -x).chain([0.0]).chain(beside(1.0)).collect()
+    [first].into_iter().chain(breaks.windows(2).flat_map(between)).collect()
 }
 
 /// The profile of a solution at places along x.

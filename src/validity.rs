@@ -1,7 +1,7 @@
 //! The limits of linear elasticity: warnings where strains or slopes are no longer small.
 use crate::geometry::Geometry;
 use crate::kernel::Kernel;
-use crate::scene::{Punch, Top};
+use crate::scene::{Pressed, Punch, Punches, Top};
 use crate::solution::{Contact, Interval, Warning, WarningCode};
 
 /// A contact longer than this part of the radius of its punch is long: strains under a cylinder are about a/(4R).
@@ -16,14 +16,20 @@ const PLACES: usize = 32;
 /// The warnings for the contacts of a stack with this kernel under a punch or load.
 pub(crate) fn warnings(top: &Top, kernel: &Kernel, contacts: &[Contact]) -> Vec<Warning> {
     let Some(first) = contacts.first() else { return Vec::new() };
-    let shape = top.punch().and_then(|punch| match radius(punch) {
-        Some(radius) => long(first.reach() / radius, kernel.geometry()),
-        None => steep(punch, first),
+    let each = first.of_each_punch();
+    let punches = top.punches().into_iter().flat_map(Punches::parts).zip(&each).enumerate();
+    let shape = punches.filter_map(|(k, ((pressed, _), contact))| {
+        let name = if each.len() == 1 { "the punch".to_owned() } else { format!("punch {}", k + 1) };
+        let [left, right] = contact.ends().map(|end| (end - pressed.at()).abs());
+        match radius(pressed.shape()) {
+            Some(radius) => long(&name, left.max(right) / radius, kernel.geometry()),
+            None => steep(&name, pressed, contact),
+        }
     });
     let pressures = contacts.iter().enumerate().filter_map(|(i, contact)| {
         large(&top.contact_name(contact.interface), contact, kernel.geometry(), kernel.contact_modulus(i))
     });
-    shape.into_iter().chain(pressures).collect()
+    shape.chain(pressures).collect()
 }
 
 /// The radius of a punch that is round all over.
@@ -35,9 +41,9 @@ fn radius(punch: &Punch) -> Option<f64> {
     }
 }
 
-fn long(ratio: f64, geometry: Geometry) -> Option<Warning> {
+fn long(name: &str, ratio: f64, geometry: Geometry) -> Option<Warning> {
     let message = format!(
-        "the contact under the punch is long: the {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
+        "the contact under {name} is long: the {} is {ratio:.2} of the radius of the punch, and above {LONG} linear \
          elasticity is an approximation only",
         geometry.words().half_length
     );
@@ -45,7 +51,8 @@ fn long(ratio: f64, geometry: Geometry) -> Option<Warning> {
 }
 
 /// The steepest place of a punch that is not round, in its contact.
-fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
+fn steep(name: &str, pressed: &Pressed, contact: &Contact) -> Option<Warning> {
+    let (punch, angle) = (pressed.shape(), pressed.tilt().angle().unwrap_or(0.0));
     if punch.is_singular() && !punch.is_sharp() {
         return None;
     }
@@ -53,10 +60,10 @@ fn steep(punch: &Punch, contact: &Contact) -> Option<Warning> {
         let step = (right - left) / PLACES as f64;
         (0..=PLACES).map(move |k| left + step * k as f64)
     };
-    let slopes = contact.intervals().iter().flat_map(places).map(|x| punch.slope(x).abs());
+    let slopes = contact.intervals().iter().flat_map(places).map(|x| (punch.slope(x - pressed.at()) + angle).abs());
     let steepest = slopes.fold(0.0, f64::max);
     let message = format!(
-        "the punch is steep: its slope in the contact is {steepest:.2}, and above {STEEP} linear elasticity is an \
+        "{name} is steep: its slope in the contact is {steepest:.2}, and above {STEEP} linear elasticity is an \
          approximation only"
     );
     (steepest > STEEP).then(|| Warning::new(WarningCode::SteepPunch, message))

@@ -70,6 +70,7 @@ mod skips;
 mod sweep;
 mod system;
 mod thin_layers;
+mod translation;
 mod validity;
 mod visible;
 mod wedges;

@@ -128,12 +128,17 @@ impl Contact {
 
     fn __repr__(&self) -> String {
         let contact = self.inner();
-        format!(
-            "<Contact {}: half-length {:e}, pressure at x = 0 {:e}>",
-            self.name(),
-            contact.reach(),
-            contact.central_pressure
-        )
+        format!("<Contact {}: {}, pressure at x = 0 {:e}>", self.name(), extent(contact), contact.central_pressure)
+    }
+}
+
+/// How far a contact reaches: its half-length, or its outermost ends.
+pub(crate) fn extent(contact: &recede::Contact) -> String {
+    let ends = || (contact.intervals().first(), contact.intervals().last());
+    match (contact.half_length(), ends()) {
+        (Some(half_length), _) => format!("half-length {half_length:.6e}"),
+        (None, (Some(first), Some(last))) => format!("from {:.6e} to {:.6e}", first.left, last.right),
+        (None, _) => String::new(),
     }
 }
 

@@ -8,7 +8,7 @@ use recede::report::{Format, Report};
 use recede::{Approach, ApproachError, FieldError};
 
 use crate::arrays;
-use crate::contact::Contact;
+use crate::contact::{Contact, extent};
 use crate::errors::raised;
 use crate::field::Field;
 use crate::solver::Solved;
@@ -290,8 +290,8 @@ impl Solution {
     }
 
     fn __repr__(&self) -> String {
-        let of = |contact: &recede::Contact| format!("{}: {:.6e}", contact.interface, contact.reach());
+        let of = |contact: &recede::Contact| format!("{} {}", contact.interface, extent(contact));
         let contacts: Vec<String> = self.0.solution.contacts().iter().map(of).collect();
-        format!("<Solution force {}; half-lengths {}>", self.0.solution.force(), contacts.join(", "))
+        format!("<Solution force {}; contacts {}>", self.0.solution.force(), contacts.join(", "))
     }
 }

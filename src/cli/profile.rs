@@ -28,7 +28,7 @@ pub struct ProfileArguments {
     /// How many places, about
     #[arg(long, value_name = "N", default_value_t = 400, value_parser = clap::value_parser!(u32).range(10..=100_000))]
     points: u32,
-    /// How far to go from the middle [default: twice as far as the bodies touch]
+    /// How far to go from x = 0 on both sides [default: twice as far as the bodies touch, from the middle of what touches]
     #[arg(long, value_name = "X", value_parser = length, allow_hyphen_values = true)]
     to: Option<f64>,
     /// Relative error to aim at in the contacts, from 1e-13 to 1e-2

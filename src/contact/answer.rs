@@ -46,8 +46,11 @@ impl Answer {
         let (length, unit) = (problem.kernel.length(), problem.kernel.modulus() * problem.force);
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
-            Some(given) => Some(load::contact(&given.loads, *interface, force, problem.twin())),
-            None => found.next().map(|found| found.into_contact(*interface, problem.origin * length, length, unit)),
+            Some(given) => {
+                let about = problem.is_even().then(|| problem.top.middle());
+                Some(load::contact(&given.loads, *interface, force, problem.twin(), about))
+            }
+            None => found.next().map(|found| found.into_contact(*interface, problem, unit)),
         };
         let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();
         // what lies above a contact turns with all that turns below
@@ -98,7 +101,7 @@ impl Found {
             let middle = &mut intervals[right.len() - 1];
             (middle.left, middle.left_error) = (left, left_error);
         }
-        let images = strips.iter().rev().filter(|strip| strip.at > 0.0).map(Strip::mirrored);
+        let images = strips.iter().rev().filter(|strip| strip.at > 0.0).map(|strip| strip.mirrored(0.0));
         let strips = images.chain(strips.iter().cloned()).collect();
         Self { intervals, peak, peak_error, strips, punches: Vec::new() }
     }
@@ -110,10 +113,11 @@ impl Found {
 
     /// The interval about x = 0, or the next one.
     pub(crate) fn innermost(&self) -> Interval {
-        Interval::innermost(&self.intervals)
+        Interval::innermost(&self.intervals, 0.0)
     }
 
-    fn into_contact(self, interface: Interface, origin: f64, length: f64, unit: f64) -> Contact {
+    fn into_contact(self, interface: Interface, problem: &Problem, unit: f64) -> Contact {
+        let (origin, length) = (problem.top.middle(), problem.kernel.length());
         let interval = |Interval { left, right, left_error, right_error, .. }: &Interval| {
             let place = |x: f64, error: f64| [origin + x * length, error * length];
             Interval::new(place(*left, *left_error), place(*right, *right_error))
@@ -124,17 +128,25 @@ impl Found {
             .map(|strip| strip.scaled(length, unit))
             .map(|strip| Strip { at: origin + strip.at, ..strip })
             .collect();
+        // an infinite pressure is known
+        let error = if self.peak.is_infinite() { 0.0 } else { self.peak_error * unit };
+        let middle_pressure = [self.peak * unit, error];
+        let about = problem.is_even().then_some(origin);
         // the series of a sharp tip is summed in closed form in the middle
-        let is_middle = origin == 0.0 && self.punches.is_empty();
-        let central_pressure =
-            if is_middle { self.peak * unit } else { strips.iter().map(|strip| strip.pressure(0.0)).sum() };
-        // an infinite pressure is known, and so is none
-        let is_known = central_pressure.is_infinite() || !is_middle && central_pressure == 0.0;
+        let [central_pressure, central_pressure_error] = if about == Some(0.0) {
+            middle_pressure
+        } else {
+            let pressure: f64 = strips.iter().map(|strip| strip.pressure(0.0)).sum();
+            // so is none
+            [pressure, if pressure == 0.0 || pressure.is_infinite() { 0.0 } else { self.peak_error * unit }]
+        };
         let contact = Contact {
             interface,
             punches: self.punches,
             central_pressure,
-            central_pressure_error: if is_known { 0.0 } else { self.peak_error * unit },
+            central_pressure_error,
+            about,
+            middle_pressure,
             resultant: strips.iter().map(Strip::resultant).sum(),
             strips,
             intervals: self.intervals.iter().map(interval).collect(),

@@ -157,8 +157,8 @@ impl<'a> Between<'a> {
             let of = |interval: &Interval| {
                 interval.left_error.max(interval.right_error) / (0.5 * (interval.right - interval.left))
             };
-            let pressure = contact.central_pressure_error / contact.central_pressure;
-            let is_known = contact.central_pressure == 0.0 || contact.central_pressure.is_infinite();
+            let [middle, error] = contact.middle_pressure;
+            let (pressure, is_known) = (error / middle, middle == 0.0 || middle.is_infinite());
             let lost = (contact.resultant / force - 1.0).abs();
             contact.intervals.iter().map(of).chain([if is_known { 0.0 } else { pressure }, lost]).collect::<Vec<_>>()
         });
@@ -190,12 +190,12 @@ impl<'a> Between<'a> {
             let left = self.known(|point| of(point).left, |point| of(point).left_error);
             Interval::new(left, self.known(|point| of(point).right, |point| of(point).right_error))
         };
-        let [central_pressure, central_pressure_error] = match one.central_pressure.is_finite() {
-            true => {
-                self.known(|point| point.contacts[i].central_pressure, |point| point.contacts[i].central_pressure_error)
-            }
-            false => [one.central_pressure, 0.0],
+        let between = |of: fn(&Contact) -> [f64; 2]| match of(one)[0].is_finite() {
+            true => self.known(|point| of(&point.contacts[i])[0], |point| of(&point.contacts[i])[1]),
+            false => of(one),
         };
+        let [central_pressure, central_pressure_error] =
+            between(|contact| [contact.central_pressure, contact.central_pressure_error]);
         let strips: Vec<Strip> = (0..one.strips.len()).map(|k| self.strip(i, k)).collect();
         let contact = Contact {
             interface: one.interface,
@@ -205,6 +205,8 @@ impl<'a> Between<'a> {
             strips,
             intervals: (0..one.intervals.len()).map(interval).collect(),
             punches: one.punches.clone(),
+            about: one.about,
+            middle_pressure: between(|contact| contact.middle_pressure),
         };
         contact.with_forces()
     }

@@ -66,7 +66,7 @@ fn worst(answer: &Answer) -> f64 {
         // a pressure of 0 is known, and an infinite one cannot be missed
         let is_known = contact.peak == 0.0 || contact.peak.is_infinite();
         // nothing depends on an end that is not found
-        let end = Some(contact.innermost().end_error()).filter(|error| *error < ENDLESS).unwrap_or_default();
+        let end = Some(contact.innermost().end_error(Some(0.0))).filter(|error| *error < ENDLESS).unwrap_or_default();
         [end, if is_known { 0.0 } else { contact.peak_error / contact.peak }]
     });
     numeric::largest(errors)

@@ -75,7 +75,7 @@ pub(super) struct LoadedBody {
     pub(super) contact: usize,
     /// The faces, top first, whose slowly converging part is known in closed form.
     pub(super) faces: [Option<LoadedFace>; 2],
-    /// The depth from whose point at x = 0 v is counted.
+    /// The depth from whose point in the middle v is counted.
     pub(super) reference: Option<DepthRow>,
 }
 

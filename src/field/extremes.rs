@@ -19,7 +19,7 @@ pub struct Extreme {
     pub value: f64,
     /// Estimate of its absolute error; 0 if it is infinite.
     pub error: f64,
-    /// Along the layers; of contacts that are symmetric about x = 0 it is found at −x, too, and x ≥ 0.
+    /// Along the layers; of symmetric contacts in the middle or on the right of it, and found on the left, too.
     pub x: f64,
     /// Below the top face of the stack.
     pub depth: f64,
@@ -32,7 +32,7 @@ pub struct Extreme {
 pub struct MaxShear {
     /// The stress; infinite under a line load and at the sharp corners of a punch.
     pub value: f64,
-    /// Along the layers; of contacts that are symmetric about x = 0 it is found at −x, too, and x ≥ 0.
+    /// Along the layers; of symmetric contacts in the middle or on the right of it, and found on the left, too.
     pub x: f64,
     /// Below the top face of the stack.
     pub depth: f64,
@@ -95,7 +95,7 @@ impl Field {
         let found = highest(self, &[search], Extent::Near)?.into_iter().next().flatten();
         let HighestPlace { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
         let placed = &self.layers[layer];
-        Ok(MaxShear { value, x, depth: placed.top + depth, layer: placed.number })
+        Ok(MaxShear { value, x: self.middle + x, depth: placed.top + depth, layer: placed.number })
     }
 
     /// The largest tension, the largest von Mises stress of each layer, and the largest shear stress and tension across each interface
@@ -134,7 +134,7 @@ impl Field {
     fn exact(&self, peaks: &[Option<HighestPlace>]) -> Result<Vec<Option<Extreme>>, FieldError> {
         let point = |peak: &HighestPlace| {
             let placed = &self.layers[peak.layer];
-            Point { x: peak.place[0], depth: placed.top + peak.place[1], layer: Some(placed.number) }
+            Point { x: self.middle + peak.place[0], depth: placed.top + peak.place[1], layer: Some(placed.number) }
         };
         let finite = peaks.iter().flatten().filter(|peak| peak.value.is_finite());
         let points: Vec<Point> = finite.map(point).collect();
@@ -143,15 +143,15 @@ impl Field {
             let Some(peak) = peak else { return Ok(None) };
             let Some((point, there)) = Some(peak).filter(|peak| peak.value.is_finite()).and_then(|_| there.next())
             else {
-                let (x, layer) = (peak.place[0], self.layers[peak.layer].number);
+                let (x, layer) = (self.middle + peak.place[0], self.layers[peak.layer].number);
                 return Ok(Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer }));
             };
             let value = peak.measure.of(&there);
-            let (row, mean) = (self.row(point, 0)?, self.mean_pressure(peak.layer));
+            let (row, place, mean) = (self.row(point, 0)?, self.place(point.x), self.mean_pressure(peak.layer));
             // what a sum leaves out that ends at its cut-off, and what one leaves out that ends before
             let allowed = waves::STRESSES.on_face * mean;
-            let unseen = (self.truncation(&row, point.x, &waves::STRESSES) - allowed).max(0.0);
-            let missed = self.truncation(&row, point.x, &waves::FULL).min(allowed) + NOTHING * mean;
+            let unseen = (self.truncation(&row, place, &waves::STRESSES) - allowed).max(0.0);
+            let missed = self.truncation(&row, place, &waves::FULL).min(allowed) + NOTHING * mean;
             let (error, depth, layer) = (self.stress_error(point)? + unseen, point.depth, there.layer);
             Ok(Some(Extreme { value, error, x: point.x, depth, layer }).filter(|found| found.value > missed))
         });

@@ -25,7 +25,7 @@ impl Motion {
 
 impl Field {
     /// Adds rows where the bodies are joined, and tells for each contact below the uppermost one which they are: at one place, or where bodies may
-    /// turn at two, the lower face, and the upper one but where v of the body above is counted from x = 0 there.
+    /// turn at two, the lower face, and the upper one but where v of the body above is counted from the middle there.
     pub(super) fn joints(&self, rows: &mut Vec<DepthRow>, sets: &mut Vec<Vec<f64>>) -> Vec<[JointRows; 2]> {
         let first = rows.len();
         let mut add = |layer: usize, depth: f64, x: f64| {

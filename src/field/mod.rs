@@ -59,8 +59,8 @@ const POWER: f64 = 1e-3;
 ///
 /// Stresses are positive in tension; x runs along the layers from the centre of the contact, y upwards, so that σ_xy > 0
 /// drags the upper side of a cut towards −x. `depth` is measured downwards from the top face of the stack. Displacements
-/// of a plane body are defined up to a rigid motion: u is 0 at x = 0, and v is counted from the rigid base or, on a
-/// half-plane, from the point of its top face at x = 0.
+/// of a plane body are defined up to a rigid motion: u is 0 in the middle, and v is counted from the rigid base or, on a
+/// half-plane, from the point of its top face there. The middle is the place about which all contacts are symmetric; else x = 0.
 ///
 /// On an interface σ_xx jumps, and if it is a receding one, so do the displacements outside the contact. There a point
 /// belongs to the layer below, unless a layer is named.
@@ -84,8 +84,10 @@ pub struct Field {
     layers: Vec<PlacedLayer>,
     bodies: Vec<LoadedBody>,
     pressures: Vec<ContactPressure>,
-    /// Whether the field is its own mirror image about x = 0: it is computed for x ≥ 0 then.
+    /// Whether the field is its own mirror image about the middle: it is computed on the right of it then.
     is_even: bool,
+    /// Where the middle is, from which places of pressures and sums are counted: 0 of what is not even.
+    middle: f64,
     /// For each contact two places at which the bodies touch; of an even one the same twice, 0 unless they are apart there.
     joints: Vec<[f64; 2]>,
     /// μ₀, by which displacements are multiplied.
@@ -105,9 +107,10 @@ impl Field {
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
         let plane = stack.plane();
         let layers = body::layers(stack);
-        let is_even = solution.is_even();
+        let (is_even, middle) = (solution.about().is_some(), solution.about().unwrap_or(0.0));
+        let contacts: Vec<Contact> = solution.contacts().iter().map(|contact| contact.moved(-middle)).collect();
         let pressure = |contact: &Contact| ContactPressure::new(contact, is_even);
-        let pressures: Vec<ContactPressure> = solution.contacts().iter().map(pressure).collect();
+        let pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         let stiffnesses = |placed: &PlacedLayer| {
             let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
             depths.map(|depth| placed.layer.material(depth, plane).axial_stiffness)
@@ -124,7 +127,8 @@ impl Field {
             layers,
             pressures,
             is_even,
-            joints: solution.contacts().iter().map(Contact::touching).collect(),
+            middle,
+            joints: contacts.iter().map(Contact::touching).collect(),
             modulus,
             contrast: largest / smallest,
             over_support: largest / support_stiffness(stack, modulus),
@@ -132,7 +136,7 @@ impl Field {
             pressure_error: 0.0,
         };
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
-        field.pressure_error = solution.contacts().iter().enumerate().map(error).sum();
+        field.pressure_error = contacts.iter().enumerate().map(error).sum();
         field
     }
 
@@ -177,8 +181,9 @@ impl Field {
     pub fn stress_error(&self, point: &Point) -> Result<f64, FieldError> {
         let row = self.row(point, 0)?;
         let face = (row.depth == 0.0).then(|| self.bodies[self.layers[row.layer].body].contact);
-        let singular = face.is_some_and(|contact| self.pressures[contact].singularity(point.x).is_some());
-        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.truncation(&row, point.x, &waves::FULL) })
+        let place = self.place(point.x);
+        let singular = face.is_some_and(|contact| self.pressures[contact].singularity(place).is_some());
+        Ok(if singular { f64::INFINITY } else { self.pressure_error + self.truncation(&row, place, &waves::FULL) })
     }
 
     /// Stresses and displacements at any points; cheaper than one by one.
@@ -272,7 +277,7 @@ impl Field {
         sets: &[Vec<f64>],
         precision: &Precision,
     ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
-        // in an even field positive and negative places share their tables
+        // in an even field places on both sides of the middle share their tables
         let distinct = |xs: &Vec<f64>| {
             let mut places: Vec<f64> = xs.iter().map(|x| self.place(*x)).collect();
             places.sort_by(f64::total_cmp);
@@ -296,6 +301,11 @@ impl Field {
 
     /// The place at which the components of a field at x are computed, see [`Self::point`].
     fn place(&self, x: f64) -> f64 {
+        self.folded(x - self.middle)
+    }
+
+    /// The same of a place that is counted from the middle.
+    fn folded(&self, x: f64) -> f64 {
         if self.is_even { x.abs() } else { x }
     }
 
@@ -351,9 +361,9 @@ fn support_stiffness(stack: &Stack, modulus: f64) -> f64 {
 /// The error estimate of the pressure of a contact inside it, in stress; rounding of the mean pressure at least.
 fn pressure_error(contact: &Contact, mean: f64) -> f64 {
     // elsewhere the series is no better than its last terms say
-    let error = contact.central_pressure_error + contact.last_term();
-    let peak = if contact.central_pressure.is_finite() { error } else { 0.0 };
-    let ends = contact.innermost().end_error();
+    let [pressure, error] = contact.middle_pressure;
+    let peak = if pressure.is_finite() { error + contact.last_term() } else { 0.0 };
+    let ends = contact.end_error();
     let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
     peak + if rounding.is_finite() { rounding } else { 0.0 }
 }

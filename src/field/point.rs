@@ -42,9 +42,9 @@ pub struct FieldPoint {
     pub depth: f64,
     /// Number of the layer, from the top as written in the scene, starting at 1.
     pub layer: usize,
-    /// Displacement along x, 0 at x = 0.
+    /// Displacement along x, 0 in the middle, see [`Field`].
     pub u: f64,
-    /// Displacement upwards, counted from the rigid base or from the top face of the half-plane at x = 0.
+    /// Displacement upwards, counted from the rigid base or from the top face of the half-plane in the middle.
     pub v: f64,
     /// Slope dv/dx.
     pub slope: f64,
@@ -229,15 +229,15 @@ impl Grid {
 }
 
 impl Field {
-    /// A point from the components at its place, which is |x| in an even field.
+    /// A point from the components at its place, which is its distance from the middle in an even field.
     pub(super) fn point(&self, x: f64, row: &DepthRow, components: Components) -> FieldPoint {
         let placed = &self.layers[row.layer];
         let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v, mut slope] = components;
         let material = placed.layer.material(row.depth, self.geometry.plane());
-        if x < 0.0 && self.is_even {
+        if x < self.middle && self.is_even {
             (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
-        let strains = self.geometry.is_axisymmetric().then(|| strains(&material, x.abs(), &components));
+        let strains = self.geometry.is_axisymmetric().then(|| strains(&material, self.place(x), &components));
         let [sigma_xx, sigma_zz] = match self.geometry {
             Geometry::Axisymmetric => around(&material, sigma_xx, strains.unwrap_or_default()),
             Geometry::PlaneStrain => {

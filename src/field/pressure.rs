@@ -7,7 +7,7 @@ use super::strip::{Singularity, TabulatedStrip};
 use super::transform::{Potentials, Transform};
 use crate::solution::{Contact, Form, Strip};
 
-/// A place counts as a singular point if the distance between them is below this part of that from x = 0, which is rounding.
+/// A place counts as a singular point if the distance between them is below this part of their distance from the middle, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
 
 /// Most strips of one pressure whose ends are places of their own; of more, as elements of low accuracy are, the ends of the intervals are, and
@@ -17,7 +17,7 @@ const APART: usize = 16;
 /// A sum of strips.
 #[derive(Clone, Debug)]
 pub(super) struct ContactPressure {
-    /// The distance of the farthest end from x = 0.
+    /// The distance of the farthest end from the middle of the field, from which all places here are counted.
     pub(super) half_length: f64,
     /// The strips; of an even pressure those whose middles are at x ≥ 0, each of which has a mirror image.
     strips: Vec<TabulatedStrip>,

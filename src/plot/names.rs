@@ -99,7 +99,9 @@ pub(super) fn reach(scene: &Scene, contact: &Contact, symbol: &str) -> String {
     let length = after(scene, Dimension::LENGTH);
     let intervals = contact.intervals();
     match (intervals, contact.half_length()) {
-        (_, Some(half_length)) if half_length > 0.0 => format!("{symbol} = {}{length}", short(half_length)),
+        (_, Some(half_length)) if half_length > 0.0 && contact.is_even() => {
+            format!("{symbol} = {}{length}", short(half_length))
+        }
         ([one], _) if one.left == one.right => {
             format!("{} = {}{length}", italic(scene.geometry.words().along), short(one.left + 0.0))
         }
@@ -122,7 +124,8 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     };
     let along = if contact.is_even() { distance(scene) } else { italic(scene.geometry.words().along) };
     let place = format!("at {along} = {}{}", short(peak.x), after(scene, Dimension::LENGTH));
-    let aside = (peak.x.abs() > peak.x_error).then_some(place);
+    let is_aside = (peak.x - contact.about.unwrap_or(0.0)).abs() > peak.x_error;
+    let aside = is_aside.then_some(place);
     [format!("largest {value}")].into_iter().chain(aside).collect()
 }
 

@@ -36,12 +36,16 @@ pub(super) fn planes(sweep: &Sweep, points: &[SweepPoint]) -> Vec<SweepPlane> {
         let (half, right) = (column("half_length"), column("right"));
         let whole = known(right).all(|point| number(point, half).is_finite());
         let half_length = scene.geometry.words().half_length;
-        let reach = if whole { format!("{half_length} {length}") } else { "outer end of the contact".to_owned() };
+        let (end, reach) = match (whole, scene.top.is_even()) {
+            (true, _) => (half, format!("{half_length} {length}")),
+            (false, true) => (right, "outer end of the contact".to_owned()),
+            (false, false) => (right, "right end of the contact".to_owned()),
+        };
         let (peak, centre) = (column("peak_pressure"), column("central_pressure"));
         let finite = known(peak).next().is_some();
         let (at, name) =
             if finite { (peak, format!("largest {pressure}")) } else { (centre, format!("{pressure}(0)")) };
-        let quantities = [(right, reach, Dimension::LENGTH), (at, name, Dimension::STRESS)];
+        let quantities = [(end, reach, Dimension::LENGTH), (at, name, Dimension::STRESS)];
         let what = punch.map_or_else(|| of_contact(scene, *interface), |punch| format!("under punch {}", punch + 1));
         planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| SweepPlane {
             what: if line == 0 { what.clone() } else { String::new() },

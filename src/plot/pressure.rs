@@ -17,7 +17,8 @@ const INSIDE: f64 = 1e-9;
 pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>> {
     let mut punches = scene.top.punches().into_iter().flat_map(Punches::parts);
     let rises = contact.interface == Interface::Punch && punches.any(|(pressed, _)| pressed.shape().is_singular());
-    let mean = contact.resultant / scene.geometry.size(-contact.reach(), contact.reach());
+    let [left, right] = contact.ends();
+    let mean = contact.resultant / scene.geometry.size(left, right);
     let most = if rises { HIGHEST_DRAWN * mean } else { f64::INFINITY };
     let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);
     let jumps = jumps(scene, contact);

@@ -92,8 +92,10 @@ impl Presses<'_> {
         // at its very edge the height may be infinite
         let profile = |x: f64| punch.profile(x.clamp(first * (1.0 - 1e-12), last * (1.0 - 1e-12))) + angle * x;
         let step = |from: f64, to: f64, i: usize| from + (to - from) * i as f64 / (2 * POINTS) as f64;
-        let lowest = match self.scene.top.punch() {
-            Some(_) => profile(self.contact.map_or(0.0, Contact::reach)),
+        let alone = self.contact.filter(|_| self.scene.top.punches().is_some_and(|all| all.parts().count() == 1));
+        let lowest = match alone {
+            // no flank touches the face beyond the ends of the contact
+            Some(contact) => contact.ends().map(|end| profile(end - pressed.at())).into_iter().fold(f64::MIN, f64::max),
             None => (0..=2 * POINTS).map(|i| profile(step(first, last, i))).fold(profile(0.0), f64::min),
         };
         let rise = |x: f64| (profile(x) - lowest).max(0.0);

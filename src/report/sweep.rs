@@ -176,6 +176,10 @@ fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
         let owner = punch.map_or(owner(&interface), |punch| format!("{}_{}", owner(&interface), punch + 1));
         cells.extend(Contact::COLUMNS.map(|quantity| format!("{owner}_{quantity}")).into_iter().zip(numbers));
     }
+    // `punch.left` may be varied, and contacts have a left end
+    let (varied, found) = cells.split_at_mut(sweep.axes().len());
+    let doubled = varied.iter_mut().filter(|(name, _)| found.iter().any(|(other, _)| other == name));
+    doubled.for_each(|(name, _)| name.insert_str(0, "varied_"));
     let mut add = |name: &str, number: Option<f64>| cells.push((name.to_owned(), number.unwrap_or(f64::NAN)));
     if !matches!(sweep.scene().force, Force::Given(_)) {
         add("force", solution.map(Solution::force));

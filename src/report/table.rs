@@ -108,8 +108,8 @@ fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn 
     let (solution, digits) = (report.solution, Digits(report.digits));
     let Words { along, distance, line_load: concentrated, .. } = report.scene.geometry.words();
     for (name, contact) in report.contacts() {
-        if contact.half_length().is_none() {
-            let is_even = contact.is_even();
+        let is_even = contact.is_even();
+        if contact.half_length().is_none() || !is_even {
             // of an even contact x ≥ 0 only: the rest is the mirror image, or the other half of a ring
             for &Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = digits.rounded(force) + line_load;

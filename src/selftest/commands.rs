@@ -157,7 +157,8 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
     for format in [Format::Csv, Format::Json] {
         step("field file", write_field(grid.points(), scene.geometry, None, format, &mut Vec::new()))?;
     }
-    let mean = top.resultant / scene.geometry.size(-top.reach(), top.reach());
+    let [left, right] = top.ends();
+    let mean = top.resultant / scene.geometry.size(left, right);
     for point in grid.rows().next().unwrap_or_default() {
         let FieldPoint { x, sigma_xy, sigma_yy, .. } = *point;
         let (pressure, missing) = (top.pressure(x), sigma_yy + top.pressure(x));

@@ -5,7 +5,7 @@ use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
 use crate::scene::Scene;
-use crate::solution::{Contact, Solution};
+use crate::solution::Solution;
 
 /// Relative error below which an answer to a contact problem is rounding, which no estimate has to cover.
 pub const ROUNDING: f64 = 1e-13;
@@ -53,18 +53,16 @@ pub fn compare(scene: &Scene, solution: &Solution) -> Result<Vec<Comparison>, Er
     for (found, strict) in solution.contacts().iter().zip(strict.contacts()).skip(given) {
         let (own, truth) = (found.innermost(), strict.innermost());
         // what is not even has no half-length
-        let is_even = strict.is_even();
-        let half = if is_even { truth.right } else { 0.5 * (truth.right - truth.left) };
-        let pressure = |contact: &Contact| [contact.central_pressure, contact.central_pressure_error];
+        let half = strict.about.map_or(0.5 * (truth.right - truth.left), |about| truth.right - about);
         let all = [
             ("half-length", [own.right, own.right_error], [truth.right, truth.right_error], half),
             ("left end", [own.left, own.left_error], [truth.left, truth.left_error], half),
-            ("pressure", pressure(found), pressure(strict), strict.central_pressure),
+            ("pressure", found.middle_pressure, strict.middle_pressure, strict.middle_pressure[0]),
         ];
         for (quantity, [value, estimate], [truth, blur], size) in all {
             // an open middle and an infinite pressure have no error
             let is_known = value.is_infinite() && truth.is_infinite() || value == 0.0 && truth == 0.0;
-            if is_known || quantity == "left end" && is_even {
+            if is_known || quantity == "left end" && strict.about.is_some() {
                 continue;
             }
             let error = ((value - truth) / size).abs();

@@ -21,6 +21,10 @@ pub struct Contact {
     pub(crate) intervals: Vec<Interval>,
     /// Under several punches the number of the punch, from the left, of each interval and strip; else none.
     pub(crate) punches: Vec<usize>,
+    /// The place on x about which the contact is its own mirror image, if there is one.
+    pub(crate) about: Option<f64>,
+    /// The pressure there, elsewhere in the middle of the interval with the largest force, and its absolute error.
+    pub(crate) middle_pressure: [f64; 2],
 }
 
 /// An interval in which the bodies of a contact touch. Lengths are in the unit of the scene.
@@ -57,9 +61,9 @@ impl Interval {
         Self { left, left_error, right, right_error, force: 0.0, centroid: 0.0 }
     }
 
-    /// Of intervals from left to right the one about x = 0; where there is none, the next one to the right, or the last one of all.
-    pub(crate) fn innermost(all: &[Self]) -> Self {
-        let next = all.iter().find(|interval| interval.right >= 0.0);
+    /// Of intervals from left to right the one about a place; where there is none, the next one to the right, or the last one of all.
+    pub(crate) fn innermost(all: &[Self], about: f64) -> Self {
+        let next = all.iter().find(|interval| interval.right >= about);
         next.or(all.last()).copied().unwrap_or_default()
     }
 
@@ -73,9 +77,11 @@ impl Interval {
         Self::new([-self.right, self.right_error], [-self.left, self.left_error])
     }
 
-    /// The relative error of its end that is farther from x = 0.
-    pub(crate) fn end_error(&self) -> f64 {
-        if self.right.abs() < self.left.abs() { self.left_error / -self.left } else { self.right_error / self.right }
+    /// The larger relative error of its ends: relative to their distance from the place about which all is even, else to the half-length.
+    pub(crate) fn end_error(&self, about: Option<f64>) -> f64 {
+        let half = 0.5 * (self.right - self.left);
+        let size = about.map_or(half, |about| (self.right - about).max(about - self.left));
+        self.left_error.max(self.right_error) / size
     }
 }
 
@@ -85,9 +91,9 @@ impl Contact {
         &self.intervals
     }
 
-    /// The half-length a of a contact that is one interval |x| < a; `None` if it is none, or several.
+    /// The half-length of a contact that is one interval, symmetric about the middle of the punch or load; `None` if it is none, or several.
     pub fn half_length(&self) -> Option<f64> {
-        self.whole().map(|interval| interval.right)
+        self.whole().map(|interval| 0.5 * (interval.right - interval.left))
     }
 
     /// The solver's estimate of the absolute error of [`Self::half_length`]; as large as that where the pressure decays before an
@@ -96,9 +102,43 @@ impl Contact {
         self.whole().map(|interval| interval.right_error)
     }
 
-    /// The contact, if it is one interval that is symmetric about x = 0.
+    /// The contact, if it is one interval that is its own mirror image.
     fn whole(&self) -> Option<&Interval> {
-        self.intervals.first().filter(|interval| interval.left == -interval.right && self.intervals.len() == 1)
+        self.intervals.first().filter(|_| self.about.is_some() && self.intervals.len() == 1)
+    }
+
+    /// Its outermost ends.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        self.intervals.first().zip(self.intervals.last()).map_or([0.0; 2], |(first, last)| [first.left, last.right])
+    }
+
+    /// Half of their distance.
+    pub(crate) fn half_span(&self) -> f64 {
+        let [left, right] = self.ends();
+        0.5 * (right - left)
+    }
+
+    /// The larger relative error of the ends of its interval in the middle, see [`Interval::end_error`].
+    pub(crate) fn end_error(&self) -> f64 {
+        self.innermost().end_error(self.about)
+    }
+
+    /// The same contact so much farther to the right.
+    pub(crate) fn moved(&self, by: f64) -> Self {
+        let strip = |strip: &Strip| Strip { at: strip.at + by, ..strip.clone() };
+        let interval = |one: &Interval| Interval {
+            left: one.left + by,
+            right: one.right + by,
+            centroid: one.centroid + by,
+            ..*one
+        };
+        Self {
+            about: self.about.map(|about| about + by),
+            strips: self.strips.iter().map(strip).collect(),
+            intervals: self.intervals.iter().map(interval).collect(),
+            punches: self.punches.clone(),
+            ..*self
+        }
     }
 
     /// The contact under each of several punches, from left to right; itself if there is one punch.
@@ -117,6 +157,7 @@ impl Contact {
                 resultant: strips.iter().map(Strip::resultant).sum(),
                 intervals: (0..self.intervals.len()).filter(own).map(|k| self.intervals[k]).collect(),
                 punches: Vec::new(),
+                about: None,
                 strips,
                 ..*self
             }
@@ -124,19 +165,16 @@ impl Contact {
         numbers.iter().map(of).collect()
     }
 
-    /// The interval about x = 0; where the bodies are apart there, the next one to the right, or the last one of all.
+    /// The interval about the middle of what is even, else about x = 0; where the bodies are apart there, the next one to the right, or the last one of all.
     pub(crate) fn innermost(&self) -> Interval {
-        Interval::innermost(&self.intervals)
+        Interval::innermost(&self.intervals, self.about.unwrap_or(0.0))
     }
 
-    /// Two places at which the bodies touch; the same twice if the contact is its own mirror image: 0 unless they are apart there.
+    /// Two places at which the bodies touch; the same twice if the contact is its own mirror image: the middle unless they are apart there.
     pub(crate) fn touching(&self) -> [f64; 2] {
-        let ends = self.intervals.first().zip(self.intervals.last());
-        if let Some((first, last)) = ends.filter(|_| !self.is_even()) {
-            return [first.left, last.right];
-        }
+        let Some(about) = self.about else { return self.ends() };
         let Interval { left, right, .. } = self.innermost();
-        [if left <= 0.0 && right >= 0.0 { 0.0 } else { 0.5 * (left + right) }; 2]
+        [if left <= about && right >= about { about } else { 0.5 * (left + right) }; 2]
     }
 
     /// As far as the bodies touch on either side of x = 0: the half-length, or the distance of the farthest end.
@@ -146,15 +184,7 @@ impl Contact {
 
     /// Whether the contact is its own mirror image about x = 0.
     pub(crate) fn is_even(&self) -> bool {
-        // strips in the middle are their own images, and of the others those on the left are in the order of those on the right
-        let [left, right]: [Vec<&Strip>; 2] =
-            [-1.0, 1.0].map(|side| self.strips.iter().filter(|strip| side * strip.at > 0.0).collect());
-        let intervals = self.intervals.iter().zip(self.intervals.iter().rev());
-        let in_the_middle = self.strips.iter().filter(|strip| strip.at == 0.0);
-        left.len() == right.len()
-            && left.into_iter().zip(right.into_iter().rev()).all(|(strip, other)| strip.is_image_of(other))
-            && in_the_middle.into_iter().all(|strip| strip.is_image_of(strip))
-            && intervals.into_iter().all(|(interval, other)| interval.left == -other.right)
+        self.about == Some(0.0)
     }
 
     /// What tables list of each contact, by name.
@@ -196,8 +226,8 @@ impl Contact {
 
     /// Contact pressure at `x` (compression positive); zero outside the contact.
     pub fn pressure(&self, x: f64) -> f64 {
-        if x == 0.0 && self.central_pressure.is_infinite() {
-            return self.central_pressure;
+        if self.about == Some(x) && self.middle_pressure[0].is_infinite() {
+            return self.middle_pressure[0];
         }
         self.strips.iter().map(|strip| strip.pressure(x)).sum()
     }
@@ -205,7 +235,7 @@ impl Contact {
     /// The same with the force and the centroid of each interval: a pressure belongs to the interval that it lies in; in low-accuracy
     /// answers it may lie next to it.
     pub(crate) fn with_forces(mut self) -> Self {
-        let is_even = self.is_even();
+        let about = self.about;
         let intervals = &mut self.intervals;
         if self.strips.iter().any(|strip| strip.is_round) {
             // one disc, or a ring whose halves are the intervals
@@ -224,7 +254,7 @@ impl Contact {
             }
         }
         for Interval { left, right, force, centroid, .. } in intervals {
-            let is_in_the_middle = is_even && *left == -*right || *force == 0.0;
+            let is_in_the_middle = about.is_some_and(|about| *left < about && about < *right) || *force == 0.0;
             *centroid =
                 if is_in_the_middle { 0.5 * (*left + *right) } else { (*centroid / *force).clamp(*left, *right) };
         }

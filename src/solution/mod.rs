@@ -198,16 +198,20 @@ impl Solution {
         &self.contacts
     }
 
+    /// The place on x about which all contacts are their own mirror images, if there is one.
+    pub(crate) fn about(&self) -> Option<f64> {
+        self.contacts.first()?.about
+    }
+
     /// Whether all contacts are their own mirror images about x = 0.
     pub(crate) fn is_even(&self) -> bool {
-        self.contacts.iter().all(Contact::is_even)
+        self.about() == Some(0.0)
     }
 
     /// Where the leftmost contact or load begins, and where the rightmost one ends; `[-extent, extent]` if all are even about x = 0.
     pub fn ends(&self) -> [f64; 2] {
-        let intervals =
-            self.contacts.iter().flat_map(Contact::intervals).map(|interval| [interval.left, interval.right]);
-        intervals.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])]).unwrap_or_default()
+        let ends = self.contacts.iter().map(Contact::ends);
+        ends.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])]).unwrap_or_default()
     }
 
     /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on

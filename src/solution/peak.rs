@@ -1,5 +1,5 @@
 //! The largest pressure of a contact.
-use super::{Contact, Form, Interval, Strip};
+use super::{Contact, Form, Strip};
 
 /// A strip is looked at in this many places for each term of its series: the highest term is seen at three places of each of its
 /// arches. Between them the largest pressure is found by golden sections.
@@ -17,7 +17,7 @@ pub struct Peak {
     pub pressure: f64,
     /// The solver's estimate of its absolute error; 0 if it is infinite.
     pub error: f64,
-    /// Where it is; of a contact that is its own mirror image x ≥ 0, since the pressure is the same at −x.
+    /// Where it is; of a contact that is its own mirror image in the middle or on the right of it, since the pressure is the same on the left.
     pub x: f64,
     /// How far off that may be: a pressure that hardly varies about its largest value says little of the place.
     pub x_error: f64,
@@ -75,24 +75,25 @@ impl Contact {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn peak(&self) -> Peak {
-        // what is even is looked at for x ≥ 0
-        let is_even = self.is_even();
+        // of what is even the right half is looked at
+        let first = self.about.unwrap_or(f64::NEG_INFINITY);
         let infinite = self.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
-        if let Some(x) = infinite.filter(|x| !is_even || *x >= 0.0).reduce(f64::min) {
+        if let Some(x) = infinite.filter(|x| *x >= first).reduce(f64::min) {
             // a corner is where the contact ends, but for rounding
             let mut ends = self.intervals.iter().flat_map(|interval| [interval.left, interval.right]);
             let x = ends.find(|end| (end - x).abs() <= 4.0 * f64::EPSILON * self.reach()).unwrap_or(x);
             return Peak { pressure: f64::INFINITY, error: 0.0, x, x_error: 0.0 };
         }
         let pressure = |x: f64| self.pressure(x);
-        let middle = pressure(0.0);
-        let mut best = (0.0, middle);
+        let [known, middle_error] = self.middle_pressure;
+        let middle = self.about.map_or(f64::NEG_INFINITY, pressure);
+        let mut best = (first, middle);
         let by_rounding = 1.0 + 4.0 * f64::EPSILON;
         for strip in &self.strips {
-            let places: Vec<f64> = strip.places().filter(|x| !is_even || *x > 0.0).collect();
+            let places: Vec<f64> = strip.places().filter(|x| *x > first).collect();
             for (k, x) in places.iter().enumerate() {
                 let here = pressure(*x);
-                if here > best.1 * by_rounding {
+                if here > best.1.max(0.0) * by_rounding {
                     let around = |k: Option<usize>, end: f64| k.and_then(|k| places.get(k)).copied().unwrap_or(end);
                     let (left, right) = (around(k.checked_sub(1), *x), around(Some(k + 1), *x));
                     best = highest(&pressure, left, right, (*x, here));
@@ -100,19 +101,19 @@ impl Contact {
             }
         }
         // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
-        for x in self.between_ends().filter(|x| !is_even || *x > 0.0) {
+        for x in self.between_ends().filter(|x| *x > first) {
             if pressure(x) > best.1 * by_rounding {
                 best = (x, pressure(x));
             }
         }
         let (x, largest) = best;
-        if x == 0.0 {
-            return Peak { pressure: self.central_pressure, error: self.central_pressure_error, x, x_error: 0.0 };
+        if x == first {
+            return Peak { pressure: known, error: middle_error, x, x_error: 0.0 };
         }
         // the series is wrong elsewhere as it is seen to be in the middle
-        let truncation = self.truncation().max((middle - self.central_pressure).abs());
-        let error = self.central_pressure_error + truncation + largest * self.end_error();
-        let x_error = flat(&pressure, x, largest, error, self.reach());
+        let seen = if self.about.is_some() { (middle - known).abs() } else { 0.0 };
+        let error = middle_error + self.truncation().max(seen) + largest * self.largest_end_error();
+        let x_error = flat(&pressure, x, largest, error, self.half_span());
         Peak { pressure: largest, error, x, x_error }
     }
 
@@ -143,13 +144,13 @@ impl Contact {
             terms[terms.len().saturating_sub(6)..].iter().fold(0.0, |most: f64, c| most.max(c.abs()))
         };
         // of a pressure that is given none is missing
-        let is_found = self.central_pressure_error > 0.0;
+        let is_found = self.middle_pressure[1] > 0.0;
         self.strips.iter().filter(|strip| is_found && strip.form == Form::Series).map(last).fold(0.0, f64::max)
     }
 
     /// The largest relative error of an end that is known.
-    fn end_error(&self) -> f64 {
-        let errors = self.intervals.iter().map(Interval::end_error);
+    fn largest_end_error(&self) -> f64 {
+        let errors = self.intervals.iter().map(|interval| interval.end_error(self.about));
         errors.filter(|error| *error < 1.0).fold(0.0, f64::max)
     }
 }

@@ -180,16 +180,11 @@ impl Strip {
         if self.tip == 0.0 { 0.0 } else { self.tip * tip_coefficient(self.tip_at, k) }
     }
 
-    /// Its mirror image about x = 0.
-    pub(crate) fn mirrored(&self) -> Self {
+    /// Its mirror image about a place.
+    pub(crate) fn mirrored(&self, about: f64) -> Self {
         let [left, right] = self.corners;
         let skew = self.skew.iter().map(|c| -c).collect();
-        Self { at: -self.at, skew, corners: [right, left], tip_at: -self.tip_at, ..self.clone() }
-    }
-
-    /// Whether it is the mirror image of another one.
-    pub(super) fn is_image_of(&self, other: &Self) -> bool {
-        *self == other.mirrored()
+        Self { at: 2.0 * about - self.at, skew, corners: [right, left], tip_at: -self.tip_at, ..self.clone() }
     }
 
     /// Where the pressure is infinite, from the middle of the strip.

@@ -159,16 +159,19 @@ fn round(strip: Strip, force: f64) -> Strip {
 }
 
 /// What is said of loads in place of a contact: nothing of it is unknown.
-pub(crate) fn contact(loads: &Loads, interface: Interface, force: f64, twin: Twin) -> Contact {
+pub(crate) fn contact(loads: &Loads, interface: Interface, force: f64, twin: Twin, about: Option<f64>) -> Contact {
     let (mut strips, intervals) = (strips(loads, force, twin), intervals(loads));
     strips.sort_by(from_left_to_right);
-    let is_loaded = intervals.iter().any(|interval| interval.left <= 0.0 && interval.right >= 0.0);
     // in the hole of a ring nothing presses but the rounding of two discs
-    let central_pressure = if is_loaded { strips.iter().map(|strip| strip.pressure(0.0)).sum() } else { 0.0 };
+    let is_loaded = |x: f64| intervals.iter().any(|interval| interval.left <= x && interval.right >= x);
+    let pressure = |x: f64| if is_loaded(x) { strips.iter().map(|strip| strip.pressure(x)).sum() } else { 0.0 };
+    let (central_pressure, middle_pressure) = (pressure(0.0), [pressure(about.unwrap_or(0.0)), 0.0]);
     let contact = Contact {
         interface,
         central_pressure,
         central_pressure_error: 0.0,
+        about,
+        middle_pressure,
         resultant: force,
         strips,
         intervals,
