@@ -2,7 +2,7 @@
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Node, ReadError, bare_token, token};
 
-use super::hints::{directions, instead_of, names_of, number_of_material};
+use super::hints::{instead_of, rows};
 use super::origin::{Origin, SceneError};
 use super::quoted_list;
 
@@ -62,19 +62,20 @@ impl Subject<'_> {
 
     /// The hint to write the structure, also where the one number of another material was meant.
     fn write(&self, otherwise: &str) -> String {
-        let one = self.field.and_then(|field| number_of_material(field, true));
+        let one = self.field.and_then(|field| rows("several numbers", field).next());
         match self.written() {
             Some(written) => format!("write {written}{}", one.map_or(String::new(), |one| format!("; {one}"))),
-            None => self.field.and_then(names_of).unwrap_or(otherwise).to_owned(),
+            None => self.field.and_then(|field| rows("names", field).next()).unwrap_or(otherwise).to_owned(),
         }
     }
 
     /// The hint for a field that does not exist.
     fn instead(&self, found: &str, expected: &[&str]) -> Option<String> {
-        let Some(field) = directions(found, expected) else { return instead_of(found, expected) };
+        let direction = rows("directions", found).find(|field| expected.contains(field));
+        let Some(field) = direction else { return instead_of(found, expected) };
         let inner = Subject { field: Some(field), ..*self };
         let written = inner.written().map(|written| format!("write {written}"));
-        written.or_else(|| number_of_material(field, false).map(|hint| format!("write `{field}`; {hint}")))
+        written.or_else(|| rows("one number", field).next().map(|hint| format!("write `{field}`; {hint}")))
     }
 }
 
@@ -106,7 +107,7 @@ fn explain(fault: &Fault, subject: &Subject, rest: &str) -> (String, Option<Stri
                 Form::Number => subject
                     .field
                     .filter(|_| rest.starts_with(['(', '[', '{']))
-                    .and_then(|field| number_of_material(field, false))
+                    .and_then(|field| rows("one number", field).next())
                     .map(str::to_owned),
                 Form::Name => {
                     Some(subject.write("names are written without quotes, fields with their names: `field: value`"))
