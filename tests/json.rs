@@ -106,11 +106,21 @@ fn scenes_of_all_kinds_are_the_same_in_json() {
     let schema = scene_schema(&Registry::default());
     let shipped = shipped().into_iter().map(|file| Scene::read(file).unwrap());
     let random = (0..150).map(|number| scene_of_any_kind(&Ranges::default(), 5, number).unwrap());
+    let far = "(geometry: PlaneStress, punch: Cylinder(radius: 3e2), force: 1e-300, stack: [
+        HalfPlane(shear_modulus: 1e20, poisson: 0.5)], units: (length: \"mm\", force: \"N\"))";
     let mut kinds = 0;
-    for scene in shipped.chain(random) {
+    for mut scene in shipped.chain(random).chain([Scene::from_ron(far).unwrap()]) {
+        scene.name = Some("a \"name\"\\".into());
+        scene.description = Some("µ\u{1}\ttwo\r\nlines\u{7f}".into());
         let text = scene.to_json();
         let again = Scene::from_json(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        assert_eq!(again.to_ron(), scene.to_ron());
+        for again in [&again, &Scene::from_ron(&scene.to_ron()).unwrap()] {
+            assert_eq!(again.to_ron(), scene.to_ron());
+            assert_eq!(
+                (&again.name, &again.description, &again.units),
+                (&scene.name, &scene.description, &scene.units)
+            );
+        }
         let value: Value = serde_json::from_str(&text).unwrap();
         assert_eq!(contradiction(&schema, &value, "scene"), None, "{text}");
         // minified, and with the keys in another order

@@ -22,32 +22,27 @@ impl Scene {
     /// ```
     pub fn to_json(&self) -> String {
         // the name of a scene is not needed, as there is nothing else
-        let scene = Node::from_ron(&self.to_ron()).map_or(Value::Null, |scene| inner(&scene));
+        let scene =
+            Node::from_ron(self.to_ron().trim_start_matches("Scene")).map_or(Value::Null, |scene| value(&scene));
         visible_json(&format!("{scene:#}\n"))
     }
 }
 
 /// A value as JSON.
 fn value(node: &Node) -> Value {
-    match (node.name.as_deref(), &node.kind) {
-        (None, _) => inner(node),
-        (Some(name @ ("true" | "false")), Kind::Nothing) => Value::Bool(name == "true"),
-        (Some(name), Kind::Nothing) => Value::String(name.to_owned()),
-        (Some(name), Kind::Row(members)) if members.len() == 1 => json!({name: value(&members[0])}),
-        (Some(name), _) => json!({name: inner(node)}),
-    }
-}
-
-/// A value without its name as JSON.
-fn inner(node: &Node) -> Value {
-    match &node.kind {
+    let inner = match &node.kind {
         Kind::Nothing => Value::Null,
         Kind::Number(number) => json!(number),
         Kind::Text(text) => json!(text),
+        Kind::Row(members) if node.name.is_some() && members.len() == 1 => value(&members[0]),
         Kind::List(members) | Kind::Row(members) => members.iter().map(value).collect(),
-        Kind::Fields(fields) => {
-            Value::Object(fields.iter().map(|field| ((*field.name).to_owned(), value(&field.value))).collect())
-        }
+        Kind::Fields(fields) => fields.iter().map(|field| (field.name.to_string(), value(&field.value))).collect(),
+    };
+    match (node.name.as_deref(), &node.kind) {
+        (None, _) => inner,
+        (Some(name @ ("true" | "false")), Kind::Nothing) => Value::Bool(name == "true"),
+        (Some(name), Kind::Nothing) => Value::String(name.to_owned()),
+        (Some(name), _) => json!({name: inner}),
     }
 }
 
@@ -72,18 +67,15 @@ pub fn scene_schema(registry: &Registry) -> Value {
     let mut schema = schema_of::<Draft>().to_value();
     // about the axis punches and loads have other names
     let (punch, load) = (schema_of::<RoundPunch>().to_value(), schema_of::<RoundLoad>().to_value());
-    let round = json!({"punch": punch, "punches": false, "load": load, "loads": false});
+    let round =
+        json!({"punch": punch, "punches": false, "load": load, "loads": false, "geometry": {"enum": ["Axisymmetric"]}});
     let mut plane = json!({});
     for field in TOPS {
         plane[field] = schema["properties"][field].take();
         schema["properties"][field] = json!({});
     }
-    let of = |names: &[&str], fields: Value| {
-        let mut fields = fields;
-        fields["geometry"] = json!({"enum": names});
-        json!({"properties": fields})
-    };
-    schema["anyOf"] = json!([of(&["PlaneStrain", "PlaneStress"], plane), of(&["Axisymmetric"], round)]);
+    plane["geometry"] = json!({"enum": ["PlaneStrain", "PlaneStress"]});
+    schema["anyOf"] = json!([{"properties": plane}, {"properties": round}]);
     schema["properties"]["stack"]["type"] = "array".into();
     schema["properties"]["stack"]["items"] = json!({"oneOf": layers.chain(springs).chain(names).collect::<Vec<_>>()});
     // a scene may name its schema, for editors
