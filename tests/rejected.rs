@@ -28,6 +28,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use recede::Scene;
 use support::{Run, recede, recede_in};
 
 /// The command of a case that has none.
@@ -209,6 +210,32 @@ fn endless_texts_nesting_and_stacks() {
     let many = rejection(format!("{}{}{}", &plain[..start], "Rigid,".repeat(100_001), &plain[end..]));
     let expected = "error: stdin:5:12: the stack has 100001 items; allowed are at most 100000\n";
     assert_eq!(many, format!("{expected}  5 |     stack: [\n    |            ^\n"));
+}
+
+#[test]
+fn places_are_shown_in_long_lines_and_at_the_end() {
+    let place = |text: &str| {
+        let error = Scene::from_ron(text).unwrap_err();
+        (error.line().unwrap(), error.column().unwrap(), error.excerpt().unwrap())
+    };
+    // columns count characters
+    let excerpt = "2 | /* µµ */ geometri: 1)\n  |          ^".to_owned();
+    assert_eq!(place("Scene(\n/* µµ */ geometri: 1)"), (2, 10, excerpt));
+    assert_eq!(place("Scene(\r\n"), (2, 1, "2 | \n  | ^".to_owned()));
+    // long lines are cut around the column
+    let (line, column, excerpt) = place(&format!("(/*{}*/!/*{}*/)", "a".repeat(5000), "b".repeat(5000)));
+    assert_eq!((line, column), (1, 5006));
+    let (shown, caret) = excerpt.split_once('\n').unwrap();
+    assert_eq!(shown.chars().count(), "1 | ".len() + 100);
+    assert_eq!(shown.chars().nth(caret.find('^').unwrap()), Some('!'));
+}
+
+#[test]
+fn of_long_messages_both_ends_are_shown() {
+    let error = Scene::from_ron(&format!("Scene({}: 1)", "µ".repeat(5000))).unwrap_err();
+    let message = error.message();
+    assert!(message.starts_with("the scene has no field `µ") && message.ends_with("`stack`"), "{message}");
+    assert!(message.contains("µ...µ") && message.chars().count() == 603, "{message}");
 }
 
 #[test]

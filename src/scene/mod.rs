@@ -27,6 +27,7 @@ mod wedge;
 mod write;
 
 use std::error::Error;
+use std::path::Path;
 use std::sync::Arc;
 
 use recede_layers::tree::Node;
@@ -129,7 +130,9 @@ impl Scene {
     pub fn title(&self) -> &str {
         match (&self.name, &self.origin) {
             (Some(name), _) => name,
-            (None, Some(origin)) => origin.stem(),
+            (None, Some(origin)) => {
+                Path::new(&origin.file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&origin.file)
+            }
             (None, None) => "scene",
         }
     }

@@ -13,8 +13,6 @@ const EXCERPT: usize = 100;
 /// Longest message and hint, in characters: names in them are as long as somebody made them.
 const LONGEST: usize = 600;
 
-type Cause = Arc<dyn std::error::Error + Send + Sync>;
-
 /// The text of a scene, what stands in it, and the layer types with which it is read.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Origin {
@@ -26,11 +24,6 @@ pub(super) struct Origin {
 }
 
 impl Origin {
-    /// The file's name without folder and ending.
-    pub(super) fn stem(&self) -> &str {
-        std::path::Path::new(&self.file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&self.file)
-    }
-
     /// The text from a byte on.
     pub(super) fn rest(&self, at: usize) -> &str {
         self.text.get(at..).unwrap_or_default()
@@ -77,17 +70,16 @@ struct TextPlace {
 
 impl TextPlace {
     fn new(text: &str, offset: usize) -> Self {
-        let (before, after) = text.split_at_checked(offset).unwrap_or((text, ""));
-        let offset = before.len();
-        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let column = text[start..offset].chars().count();
-        let rest = after.find('\n').map_or(after, |end| &after[..end]);
-        let line = text[start..offset + rest.len()].trim_end();
+        // the last place before that is one: an offset may be in the middle of a character, or beyond the end
+        let before = (0..=offset).rev().find_map(|end| text.get(..end)).unwrap_or_default();
+        let number = before.matches('\n').count();
+        let column = before.rsplit('\n').next().map_or(0, |start| start.chars().count());
+        let line = text.split('\n').nth(number).unwrap_or_default().trim_end();
         // a window of a long line
         let skipped = if line.chars().count() > EXCERPT { column.saturating_sub(EXCERPT / 2) } else { 0 };
         let window = |end: usize| line.chars().skip(skipped).take(end).collect::<String>();
         Self {
-            line: before.matches('\n').count() + 1,
+            line: number + 1,
             column: column + 1,
             excerpt: visible(&window(EXCERPT)).into_owned(),
             // behind what was trimmed the caret stands, too
@@ -111,7 +103,7 @@ pub struct SceneError {
     place: Option<Box<TextPlace>>,
     message: String,
     hint: Option<String>,
-    cause: Option<Cause>,
+    cause: Option<Arc<dyn std::error::Error + Send + Sync>>,
 }
 
 impl SceneError {
@@ -173,42 +165,5 @@ impl fmt::Display for SceneError {
 impl std::error::Error for SceneError {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         self.cause.as_deref().map(|cause| cause as _)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn of_long_messages_both_ends_are_shown() {
-        let message = abridged(&format!("no field `{}` here", "µ".repeat(5000)));
-        assert!(message.starts_with("no field `µ") && message.ends_with("µ` here") && message.contains("µ...µ"));
-        assert_eq!(message.chars().count(), LONGEST + 3);
-        assert_eq!(abridged("short"), "short");
-    }
-
-    #[test]
-    fn columns_count_characters() {
-        let text = "one\nµ = 7\n";
-        let place = TextPlace::new(text, text.find('7').unwrap());
-        assert_eq!((place.line, place.column, place.caret), (2, 5, 4));
-        assert_eq!(place.excerpt, "µ = 7");
-    }
-
-    #[test]
-    fn long_lines_are_cut_around_the_column() {
-        let text = format!("{}!{}", "a".repeat(5000), "b".repeat(5000));
-        let place = TextPlace::new(&text, 5000);
-        assert_eq!(place.column, 5001);
-        assert_eq!(place.excerpt.chars().count(), EXCERPT);
-        assert_eq!(place.excerpt.chars().nth(place.caret), Some('!'));
-    }
-
-    #[test]
-    fn the_end_of_the_text_is_a_place() {
-        let place = TextPlace::new("a\r\n", 3);
-        assert_eq!((place.line, place.column), (2, 1));
-        assert_eq!(TextPlace::new("", 7).line, 1);
     }
 }
