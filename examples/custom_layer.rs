@@ -56,7 +56,7 @@ pub fn main() -> Result<(), recede::Error> {
         Receding,
         HalfPlane(shear_modulus: 1.0, poisson: 0.3),
     ])";
-    let read = recede::solve(&Scene::from_ron_with(text, &registry)?)?;
+    let read = recede::solve(&Scene::from_reader("scene", text.as_bytes(), &registry)?)?;
 
     // in a program, as an argument
     let ground = HalfPlane::new(1.0, 0.3)?;

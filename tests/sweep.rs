@@ -10,7 +10,7 @@ use std::thread;
 use std::time::Duration;
 
 use recede::report::SweepCsv;
-use recede::{Axis, Error, Scene, Sweep};
+use recede::{Axis, Error, Force, Item, Punch, Scene, Sweep};
 use support::recede;
 
 const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
@@ -168,6 +168,43 @@ fn what_cannot_vary_is_told_before_anything_is_solved() {
     assert!(refused(&["force=1:2"]).contains("START:STOP:COUNT is expected"));
     assert!(refused(&["force=1:2:100000", "punch.radius=1:2:100000"]).contains("more than 1000000000 points"));
     assert!(refused(&[]).contains("nothing varies"));
+}
+
+#[test]
+fn values_are_found_and_replaced_among_comments() {
+    let text = "// force: 7\nScene(\n  geometry: PlaneStrain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
+        stack: [Homogeneous(thickness: 1, shear_modulus: /* b */ 2.0 /* c */, poisson: 0.25), Receding, Rigid])";
+    let scene = Scene::from_ron(text).unwrap();
+    let changes = [
+        ("force", 0.004),
+        ("punch.radius", 250.0),
+        ("layer[1].thickness", 3.0),
+        ("layer[1].shear_modulus", 1e-7),
+        ("layer[1].poisson", 0.5),
+    ];
+    assert_eq!(scene.paths(), changes.map(|(path, _)| path));
+    let axes = changes.map(|(path, value)| format!("{path}=[{value}]").parse().unwrap());
+    let changed = Sweep::new(scene.clone(), axes.to_vec()).unwrap().scene_at(0).unwrap();
+    assert_eq!(changed.paths(), scene.paths());
+    assert_eq!(changes.map(|(path, _)| changed.number(path).unwrap()), changes.map(|(_, value)| value));
+    assert_eq!((changed.force, changed.top), (Force::Given(0.004), Punch::cylinder(250.0).unwrap().into()));
+    let Item::Layer(layer) = &changed.stack[0] else { panic!("a layer is expected") };
+    assert_eq!(layer.notation().parameters, "thickness: 3.0, shear_modulus: 1e-7, poisson: 0.5");
+    // mistakes have the places of the values in the text
+    for (path, said) in [
+        ("force", "scene:4:10: `force` of the scene: found -1.0, allowed is a finite number > 0"),
+        ("punch.radius", "scene:3:61: `radius` of the punch: found -1.0, allowed is a finite number > 0"),
+        ("layer[1].thickness", "scene:5:40: `thickness` of layer 1 (Homogeneous): found -1.0"),
+    ] {
+        let error = scene.with(path, -1.0).unwrap_err().to_string();
+        assert!(error.starts_with(said), "{error}");
+    }
+    let error = scene.with("layer[1].posson", 0.3).unwrap_err();
+    assert_eq!(error.hint(), Some("did you mean `layer[1].poisson`?"));
+    assert!(error.message().contains("those that can vary are `force`, `punch.radius`, `layer[1].thickness`"));
+    let scene = Scene::new(scene.geometry, scene.top, scene.force, scene.stack);
+    assert!(scene.paths().is_empty());
+    assert!(scene.with("force", 1.0).unwrap_err().to_string().contains("not read from a text"));
 }
 
 #[test]

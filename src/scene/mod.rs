@@ -53,14 +53,14 @@ pub use wedge::Wedge;
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Change, Owner, Slot};
 #[cfg(feature = "files")]
-pub(crate) use read::read_document;
+pub(crate) use read::{open, read_document};
 pub(crate) use shape::{Piece, Shape};
 pub(crate) use text::visible_json;
 pub(crate) use units::Dimension;
 
 use crate::geometry::Geometry;
 use origin::Origin;
-use read_top::TOPS;
+use read_top::tops;
 
 /// Largest scene text that is read, in bytes.
 pub const MAX_BYTES: usize = 1 << 20;
@@ -137,18 +137,12 @@ impl Scene {
         }
     }
 
-    /// The name under which what presses stands in the text, and its part of the text.
-    fn node_of_top(&self) -> Option<(&'static str, &Node)> {
-        let tree = &self.origin.as_deref()?.tree;
-        TOPS.into_iter().find_map(|name| Some((name, tree.field(name)?)))
-    }
-
     /// A part of the text.
     fn node(&self, part: Owner) -> Option<&Node> {
         let tree = &self.origin.as_deref()?.tree;
         match part {
             Owner::Force => tree.field(self.force.field()),
-            Owner::Top => self.node_of_top().map(|(_, node)| node),
+            Owner::Top => tops(tree).next().map(|(_, node)| node),
             Owner::Stack => tree.field("stack"),
             Owner::Item(index) => tree.field("stack")?.members().get(index),
         }

@@ -8,8 +8,8 @@ use recede_layers::tree::{Kind, Node};
 
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
-use super::read::{read_force, read_item};
-use super::read_top::read_top;
+use super::read::{THE_SCENE, force_of, read_item};
+use super::read_top::{only_top, read_top, tops};
 use super::{Scene, quoted_list};
 
 /// Most paths that a message lists.
@@ -45,9 +45,7 @@ impl Scene {
     /// `layer[1].thickness` and so on. Empty for a scene that was not read from a text.
     ///
     /// ```
-    /// let text = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
-    ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
-    /// let scene = recede::Scene::from_ron(text)?;
+    /// let scene = recede::Scene::read("examples/scenes/hertz.ron")?;
     /// assert_eq!(scene.paths(), ["force", "punch.radius", "layer[1].shear_modulus", "layer[1].poisson"]);
     /// # Ok::<(), recede::Error>(())
     /// ```
@@ -58,9 +56,7 @@ impl Scene {
     /// The same scene with another value of the quantity at `path`. Only for scenes read from a text.
     ///
     /// ```
-    /// let text = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 500), force: 0.002, stack: [
-    ///     HalfPlane(shear_modulus: 1, poisson: 0.25)])";
-    /// let scene = recede::Scene::from_ron(text)?.with("punch.radius", 250.0)?;
+    /// let scene = recede::Scene::read("examples/scenes/hertz.ron")?.with("punch.radius", 250.0)?;
     /// assert_eq!(scene.top.written_in(scene.geometry), "Parabola(radius: 250.0)");
     /// let error = scene.with("layer[1].poisson", 0.7).unwrap_err();
     /// assert!(error.to_string().ends_with("`poisson` of layer 1 (HalfPlane): found 0.7, allowed is -1 < poisson <= 0.5"));
@@ -90,16 +86,15 @@ impl Scene {
 
     /// Finds the quantity at `path`.
     pub(crate) fn slot(&self, path: &str) -> Result<Slot, SceneError> {
+        let Some(origin) = &self.origin else {
+            let origin = Origin { file: "scene".into(), ..Origin::default() };
+            return Err(origin.error(None, format!("there is no `{path}` in a scene that was not read from a text")));
+        };
         let slots = self.slots();
         if let Some((_, slot)) = slots.iter().find(|(found, _)| found == path) {
             return Ok(slot.clone());
         }
-        let nowhere = Origin { file: "scene".into(), ..Origin::default() };
-        let origin = self.origin.as_deref().unwrap_or(&nowhere);
         let names: Vec<&str> = slots.iter().map(|(path, _)| &path[..]).collect();
-        if names.is_empty() {
-            return Err(origin.error(None, format!("there is no `{path}` in a scene that was not read from a text")));
-        }
         let more = if names.len() > LISTED { ", ..." } else { "" };
         let allowed = quoted_list(&names[..names.len().min(LISTED)]);
         let message = format!("the scene has no quantity `{path}`; those that can vary are {allowed}{more}");
@@ -109,15 +104,15 @@ impl Scene {
     /// The same scene with other values: what they belong to is read again. An error names the place of the value that the text has there.
     pub(crate) fn with_changes(&self, changes: &[Change]) -> Result<Self, SceneError> {
         let mut scene = self.clone();
-        let Some(origin) = scene.origin.as_mut().map(Arc::make_mut) else { return Ok(scene) };
-        set(&mut origin.tree, changes);
-        let read = scene.clone();
-        let (Some(origin), Some((name, top))) = (read.origin.as_deref(), read.node_of_top()) else { return Ok(scene) };
+        let Some(origin) = &mut scene.origin else { return Ok(scene) };
+        set(&mut Arc::make_mut(origin).tree, changes);
+        let origin = &Arc::clone(origin);
+        let (name, top) = only_top(origin)?;
         for (slot, _) in changes {
             match slot.owner {
                 Owner::Item(index) => {
                     let number = 1 + self.stack[..index].iter().filter(|item| !item.is_interface()).count();
-                    let node = read.node(slot.owner).unwrap_or(&origin.tree);
+                    let node = scene.node(slot.owner).unwrap_or(&origin.tree);
                     scene.stack[index] = read_item(node, number, origin)?;
                     continue;
                 }
@@ -125,7 +120,7 @@ impl Scene {
                 Owner::Force | Owner::Stack => {}
             }
             // punches and loads in a list have forces of their own
-            scene.force = read_force(name, &scene.top, origin)?;
+            scene.force = force_of(&origin.read(&origin.tree, THE_SCENE)?, name, &scene.top, origin)?;
         }
         Ok(scene)
     }
@@ -137,7 +132,8 @@ impl Scene {
             self.node(owner).into_iter().for_each(|node| add(name, owner, node, &mut slots));
         };
         add(self.force.field(), Owner::Force);
-        add(self.node_of_top().map_or("", |(name, _)| name), Owner::Top);
+        let top = self.origin.iter().find_map(|origin| tops(&origin.tree).next());
+        add(top.map_or("", |(name, _)| name), Owner::Top);
         let mut number = 0;
         for (index, item) in self.stack.iter().enumerate() {
             number += usize::from(!item.is_interface());
@@ -175,57 +171,4 @@ fn set(node: &mut Node, changes: &[Change]) {
         node.kind = Kind::Number(*value);
     }
     node.values_mut().into_iter().for_each(|value| set(value, changes));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::{Force, Punch, Top};
-
-    const SCENE: &str =
-        "// force: 7\nScene(\n  geometry: PlaneStrain, punch: /* a: 1 */ Cylinder(radius: 500),\n  force: 0.002,
-        stack: [Homogeneous(thickness: 1, shear_modulus: /* b */ 2.0 /* c */, poisson: 0.25), Receding, Rigid])";
-
-    #[test]
-    fn values_are_found_among_comments_and_replaced() {
-        let scene = Scene::from_ron(SCENE).unwrap();
-        let paths =
-            ["force", "punch.radius", "layer[1].thickness", "layer[1].shear_modulus", "layer[1].poisson"].to_vec();
-        assert_eq!(scene.paths(), paths);
-        let slots: Vec<Slot> = paths.iter().map(|path| scene.slot(path).unwrap()).collect();
-        let values = [0.004, 250.0, 3.0, 1e-7, 0.5];
-        let changes: Vec<Change> = slots.iter().zip(values).collect();
-        let changed = scene.with_changes(&changes).unwrap();
-        assert_eq!(
-            (changed.force, changed.top.clone()),
-            (Force::Given(0.004), Top::from(Punch::cylinder(250.0).unwrap()))
-        );
-        assert_eq!(changed.paths(), paths);
-        assert!(format!("{:?}", changed.stack).contains("1e-7"), "{:?}", changed.stack);
-    }
-
-    #[test]
-    fn mistakes_have_the_place_of_the_value_in_the_text() {
-        let scene = Scene::from_ron(SCENE).unwrap();
-        let said = |path: &str| {
-            let slot = scene.slot(path).unwrap();
-            scene.with_changes(&[(&slot, -1.0)]).unwrap_err().to_string()
-        };
-        assert_eq!(said("force"), "scene:4:10: `force` of the scene: found -1.0, allowed is a finite number > 0");
-        assert_eq!(
-            said("punch.radius"),
-            "scene:3:61: `radius` of the punch: found -1.0, allowed is a finite number > 0"
-        );
-        assert!(said("layer[1].thickness").starts_with("scene:5:40: `thickness` of layer 1 (Homogeneous): found -1.0"));
-    }
-
-    #[test]
-    fn who_asks_for_something_else_is_told_what_there_is() {
-        let scene = Scene::from_ron(SCENE).unwrap();
-        let error = scene.with("layer[1].posson", 0.3).unwrap_err();
-        assert_eq!(error.hint().unwrap(), "did you mean `layer[1].poisson`?");
-        assert!(error.to_string().contains("those that can vary are `force`, `punch.radius`, `layer[1].thickness`"));
-        let scene = Scene::new(scene.geometry, scene.top, scene.force, scene.stack);
-        assert!(scene.with("force", 1.0).unwrap_err().to_string().contains("not read from a text"));
-    }
 }

@@ -17,67 +17,49 @@ use serde::de::{DeserializeOwned, IgnoredAny};
 use super::hints::instead_of;
 use super::item::SPRING;
 use super::origin::{Origin, SceneError};
-use super::read_top::{TOPS, only_top, read_top};
+use super::read_top::{only_top, read_top};
 use super::units::without_units;
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
 
 /// The name of a scene in messages.
-const THE_SCENE: &str = "the scene";
+pub(super) const THE_SCENE: &str = "the scene";
 
 /// The scene with punch and stack still unread.
 #[derive(Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename = "Scene")]
+#[expect(dead_code, reason = "what presses and the stack are read from the tree")]
 pub(super) struct Draft {
     /// A name for reports.
-    #[serde(default)]
     name: Option<String>,
     /// What the scene shows.
-    #[serde(default)]
     description: Option<String>,
     /// Labels of the units; nothing is converted.
-    #[serde(default)]
     units: Option<Units>,
     /// Plane, and in which way, or axisymmetric.
     geometry: Geometry,
     /// The punch on top, if there are no loads.
-    #[serde(default)]
     #[schemars(with = "Option<Punch>")]
     punch: Option<IgnoredAny>,
     /// In place of one punch: several, each anywhere on x with a force of its own. Without `tilt` a punch cannot turn; `tilt: Fixed(angle)` turns it by a small
     /// angle, and `tilt: Free(eccentricity: e)` lets it turn freely under a force that acts at x + e.
-    #[serde(default)]
     #[schemars(with = "Option<Punches>")]
     punches: Option<IgnoredAny>,
     /// In place of a punch: a given pressure on top, with the force as its resultant.
-    #[serde(default)]
     #[schemars(with = "Option<Load>")]
     load: Option<IgnoredAny>,
     /// In place of a punch: several given pressures, each anywhere on x with a force of its own.
-    #[serde(default)]
     #[schemars(with = "Option<Loads>")]
     loads: Option<IgnoredAny>,
     /// Line load P that presses the punch down, or resultant of the `load`: force per unit length out of the plane; the whole force in axisymmetric scenes.
-    #[serde(default)]
     force: Option<Positive>,
     /// In place of the force: half-length of the contact under the punch, or its radius, for which the force is found; in length.
-    #[serde(default)]
     half_length: Option<Positive>,
     /// In place of the force: how far the punch sinks, for which the force is found; in length. In plane scenes the base has to be rigid, or springs.
-    #[serde(default)]
     depth: Option<Positive>,
     /// Layers and the interfaces between them from the top down, ending in a base.
     #[schemars(with = "StackForm")]
-    #[serde(rename = "stack")]
-    _stack: IgnoredAny,
-}
-
-impl Draft {
-    /// The fields that say what presses on top.
-    fn tops(&self) -> Vec<&'static str> {
-        let values = [&self.punch, &self.punches, &self.load, &self.loads];
-        TOPS.into_iter().zip(values).filter(|(_, value)| value.is_some()).map(|(name, _)| name).collect()
-    }
+    stack: IgnoredAny,
 }
 
 /// The form of a stack in a scene.
@@ -92,15 +74,7 @@ impl Scene {
     /// [`SceneError`] with line and column: unknown, missing or repeated fields, wrong types, numbers out of range,
     /// unknown layers. Whether the items of the stack fit together is checked by [`Scene::stack`].
     pub fn from_ron(text: &str) -> Result<Self, SceneError> {
-        Self::from_ron_with(text, &Registry::default())
-    }
-
-    /// Reads a scene from RON with the layer types of `registry`.
-    ///
-    /// # Errors
-    /// As [`Scene::from_ron`].
-    pub fn from_ron_with(text: &str, registry: &Registry) -> Result<Self, SceneError> {
-        Self::from_reader("scene", text.as_bytes(), registry)
+        Self::from_reader("scene", text.as_bytes(), &Registry::default())
     }
 
     /// Reads a scene from JSON, see [`Scene::to_json`], with the layer types that ship. All that reads a scene from RON reads
@@ -118,44 +92,43 @@ impl Scene {
     /// As [`Scene::from_ron`], and if the file cannot be read or is larger than [`MAX_BYTES`].
     #[cfg(feature = "files")]
     pub fn read(path: impl AsRef<Path>) -> Result<Self, SceneError> {
-        Self::read_with(path, &Registry::default())
+        let (file, reader) = open(path.as_ref())?;
+        Self::from_reader(&file, reader, &Registry::default())
     }
 
-    /// Reads a scene from a file with the layer types of `registry`.
-    ///
-    /// # Errors
-    /// As [`Scene::read`].
-    #[cfg(feature = "files")]
-    pub fn read_with(path: impl AsRef<Path>, registry: &Registry) -> Result<Self, SceneError> {
-        let file = path.as_ref().display().to_string();
-        let reader = File::open(path).map_err(|cause| SceneError::unreadable(&file, cause))?;
-        Self::from_reader(&file, reader, registry)
-    }
-
-    /// Reads a scene from anything that yields bytes; `file` is its name in messages.
+    /// Reads a scene in RON or in JSON from anything that yields bytes, with the layer types of `registry`; `file` is its name in messages.
     ///
     /// # Errors
     /// As [`Scene::from_ron`], and if it cannot be read or is longer than [`MAX_BYTES`].
     pub fn from_reader(file: &str, reader: impl Read, registry: &Registry) -> Result<Self, SceneError> {
-        parse(Origin { registry: registry.clone(), ..read_text(file, reader)? })
+        let mut origin = Origin { registry: registry.clone(), ..read_text(file, reader)? };
+        let mut tree = read_tree(&origin)?;
+        without_units(&mut tree, &origin)?;
+        origin.tree = tree;
+        read_scene(origin)
     }
+}
+
+/// Opens a file; with its name in messages.
+#[cfg(feature = "files")]
+pub(crate) fn open(path: &Path) -> Result<(String, File), SceneError> {
+    let file = path.display().to_string();
+    let reader = File::open(path).map_err(|cause| unreadable(&file, cause))?;
+    Ok((file, reader))
 }
 
 /// Reads a text in RON that is not a scene; `owner` is its name in messages.
 #[cfg(feature = "files")]
 pub(crate) fn read_document<T: DeserializeOwned>(file: &str, reader: impl Read, owner: &str) -> Result<T, SceneError> {
     let origin = read_text(file, reader)?;
-    let tree = Node::from_ron(&origin.text);
-    let read = tree.as_ref().map_err(Clone::clone).and_then(Node::read);
-    read.map_err(|error| origin.explained(tree.as_ref().unwrap_or(&origin.tree), owner, None, error))
+    let tree = Node::from_ron(&origin.text).map_err(|error| origin.explained(&origin.tree, owner, None, error))?;
+    tree.read().map_err(|error| origin.explained(&tree, owner, None, error))
 }
 
-impl SceneError {
-    /// A file could not be opened or read.
-    pub(crate) fn unreadable(file: &str, cause: io::Error) -> Self {
-        let origin = Origin { file: file.to_owned(), ..Origin::default() };
-        origin.error(None, format!("cannot be read: {cause}")).because(cause)
-    }
+/// The error of a file that could not be opened or read.
+fn unreadable(file: &str, cause: io::Error) -> SceneError {
+    let origin = Origin { file: file.to_owned(), ..Origin::default() };
+    origin.error(None, format!("cannot be read: {cause}")).because(cause)
 }
 
 impl Origin {
@@ -182,42 +155,34 @@ impl Origin {
 /// The text of a file, without the mark that some editors put first, and nothing else of it.
 fn read_text(file: &str, reader: impl Read) -> Result<Origin, SceneError> {
     let mut bytes = Vec::new();
-    let mut origin = Origin { file: file.to_owned(), ..Origin::default() };
-    reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(|cause| SceneError::unreadable(file, cause))?;
+    reader.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(|cause| unreadable(file, cause))?;
+    let valid = bytes.utf8_chunks().next().map_or("", |chunk| chunk.valid());
+    let text = valid.strip_prefix('\u{feff}').unwrap_or(valid).to_owned();
+    let origin = Origin { file: file.to_owned(), text, ..Origin::default() };
     if bytes.len() > MAX_BYTES {
         let message = format!("the text is larger than {MAX_BYTES} bytes, the most that is read");
         return Err(origin.error(None, message).hinted(Some("is this a scene file?")));
     }
-    match String::from_utf8(bytes) {
-        Ok(text) => origin.text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text),
-        Err(cause) => {
-            let (valid, rest) = cause.as_bytes().split_at(cause.utf8_error().valid_up_to());
-            origin.text = String::from_utf8_lossy(valid).into_owned();
-            let message = format!("the byte 0x{:02X} is no UTF-8 text", rest.first().copied().unwrap_or_default());
-            let error = origin.error(Some(valid.len()), message).hinted(Some("a scene is a text file in UTF-8"));
-            return Err(error.because(cause));
-        }
-    }
-    Ok(origin)
+    let Err(cause) = str::from_utf8(&bytes) else { return Ok(origin) };
+    let message = format!("the byte 0x{:02X} is no UTF-8 text", bytes[valid.len()]);
+    let error = origin.error(Some(origin.text.len()), message).because(cause);
+    Err(error.hinted(Some("a scene is a text file in UTF-8")))
 }
 
-/// Reads the scene whose text this is.
-pub(super) fn parse(mut origin: Origin) -> Result<Scene, SceneError> {
+/// Reads the values of a text.
+fn read_tree(origin: &Origin) -> Result<Node, SceneError> {
     if origin.text.trim().is_empty() {
         let hint = "a scene begins with `Scene(geometry: PlaneStrain, punch: ..., force: ..., stack: [...])`";
         return Err(origin.error(None, "the text is empty").hinted(Some(hint)));
     }
     // a scene in RON begins with its name or a parenthesis
     let tree = if origin.text.trim_start().starts_with('{') {
-        is_json(&origin)?;
+        is_json(origin)?;
         Node::from_json(&origin.text)
     } else {
         Node::from_ron(&origin.text)
     };
-    let mut tree = tree.map_err(|error| origin.explained(&origin.tree, THE_SCENE, None, error))?;
-    without_units(&mut tree, &origin)?;
-    origin.tree = tree;
-    scene(origin)
+    tree.map_err(|error| origin.explained(&origin.tree, THE_SCENE, None, error))
 }
 
 /// Refuses a text that is no JSON.
@@ -225,20 +190,19 @@ fn is_json(origin: &Origin) -> Result<(), SceneError> {
     let text = &origin.text[..];
     serde_json::from_str(text).map(|IgnoredAny| ()).map_err(|error| {
         let lines: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
-        let at = (lines + error.column().saturating_sub(1)).min(text.len());
-        let at = (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
         let message = error.to_string();
         let message = message.split(" at line ").next().unwrap_or_default();
-        origin.error(Some(at), message).hinted(Some("the text begins with `{`, and is read as JSON"))
+        let error = origin.error(Some(lines + error.column().saturating_sub(1)), message);
+        error.hinted(Some("the text begins with `{`, and is read as JSON"))
     })
 }
 
 /// Reads a scene from its tree.
-fn scene(own: Origin) -> Result<Scene, SceneError> {
+fn read_scene(own: Origin) -> Result<Scene, SceneError> {
     let (origin, tree) = (&own, &own.tree);
-    let draft = origin.read::<Draft>(tree, THE_SCENE)?;
-    let name = only_top(&draft.tops(), origin)?;
-    let top = read_top(name, tree.field(name).unwrap_or(tree), draft.geometry, origin)?;
+    let draft: Draft = origin.read(tree, THE_SCENE)?;
+    let (name, node) = only_top(origin)?;
+    let top = read_top(name, node, draft.geometry, origin)?;
     let force = force_of(&draft, name, &top, origin)?;
     let list = tree.field("stack").unwrap_or(tree);
     let items = origin.list(list, "the stack")?;
@@ -258,17 +222,10 @@ fn scene(own: Origin) -> Result<Scene, SceneError> {
 }
 
 /// The force, or the half-length or depth that it is found for, beside what presses, which stands in this field.
-pub(super) fn read_force(field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
-    force_of(&origin.read::<Draft>(&origin.tree, THE_SCENE)?, field, top, origin)
-}
-
-fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
-    let numbers = [
-        draft.force.map(|number| Force::Given(number.get())),
-        draft.half_length.map(|number| Force::ForHalfLength(number.get())),
-        draft.depth.map(|number| Force::ForDepth(number.get())),
-    ];
-    let given: Vec<Force> = numbers.into_iter().flatten().collect();
+pub(super) fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
+    let numbers = [draft.force, draft.half_length, draft.depth].map(|number| number.map(Positive::get));
+    let kinds = [Force::Given, Force::ForHalfLength, Force::ForDepth];
+    let given: Vec<Force> = kinds.iter().zip(numbers).filter_map(|(kind, number)| number.map(kind)).collect();
     let own = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
     let (other, found, hint) = match (&given[..], field) {
         ([], "punches" | "loads") => return Ok(Force::Given(top.force())),

@@ -1,5 +1,5 @@
 //! Reading what presses on top: a punch or a load, or a list of them.
-use recede_layers::tree::{Fault, Form, Node};
+use recede_layers::tree::{Fault, Form, Kind, Node};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -12,16 +12,23 @@ use crate::geometry::Geometry;
 /// The fields of a scene one of which says what presses on top.
 pub(super) const TOPS: [&str; 4] = ["punch", "punches", "load", "loads"];
 
+/// Those of these fields that are given.
+pub(super) fn tops(scene: &Node) -> impl Iterator<Item = (&'static str, &Node)> {
+    let given = TOPS.into_iter().filter_map(|name| Some((name, scene.field(name)?)));
+    given.filter(|(_, node)| node.name.as_deref() != Some("None") || node.kind != Kind::Nothing)
+}
+
 /// The one of these fields that is given.
-pub(super) fn only_top(given: &[&'static str], origin: &Origin) -> Result<&'static str, SceneError> {
+pub(super) fn only_top(origin: &Origin) -> Result<(&'static str, &Node), SceneError> {
+    let given: Vec<_> = tops(&origin.tree).collect();
     match given[..] {
-        [name] => Ok(name),
+        [only] => Ok(only),
         [] => {
             let hint =
                 "add `punch: ...` or, for given pressures, `load: ...` or `loads: [...]` between its parentheses";
             Err(origin.error_at(&origin.tree, "`punch` is missing in the scene").hinted(Some(hint)))
         }
-        [first, second, ..] => {
+        [(first, _), (second, _), ..] => {
             let hint = match (first, second) {
                 ("punch", "punches") => "one punch at x = 0 is `punch`, several are `punches`: remove one of them",
                 ("punch" | "punches", _) => "a load takes the place of a punch: remove one of them",

@@ -1,5 +1,4 @@
 //! A sweep written in RON.
-use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -11,7 +10,7 @@ use super::Sweep;
 use crate::axis::Axis;
 use crate::errors::Error;
 use crate::options::Options;
-use crate::scene::{Scene, SceneError, read_document};
+use crate::scene::{Scene, open, read_document};
 
 /// The whole of it.
 #[derive(Deserialize)]
@@ -40,8 +39,7 @@ impl Sweep {
     /// # Errors
     /// [`Error::Scene`] with line and column if the text is no sweep, and the errors of [`Scene::read`] and [`Sweep::new`].
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
-        let path = path.as_ref();
-        let reader = File::open(path).map_err(|cause| SceneError::unreadable(&path.display().to_string(), cause))?;
+        let (_, reader) = open(path.as_ref())?;
         Self::from_reader(path, reader, &Registry::default())
     }
 
@@ -53,8 +51,8 @@ impl Sweep {
     pub fn from_reader(file: impl AsRef<Path>, reader: impl Read, registry: &Registry) -> Result<Self, Error> {
         let file = file.as_ref();
         let Written { scene, vary, tolerance } = read_document(&file.display().to_string(), reader, "the sweep")?;
-        let scene = Scene::read_with(file.with_file_name(scene), registry)?;
-        let sweep = Self::new(scene, vary)?;
+        let (scene, reader) = open(&file.with_file_name(scene))?;
+        let sweep = Self::new(Scene::from_reader(&scene, reader, registry)?, vary)?;
         match tolerance {
             Some(tolerance) => sweep.with_options(Options { tolerance }),
             None => Ok(sweep),
