@@ -221,6 +221,10 @@ fn broken_texts_are_refused_and_never_end_in_panic() {
 
 #[test]
 fn quantities_of_a_scene_in_json_vary() {
+    // what is null is not there
+    let mut loaded = example();
+    (loaded["punch"], loaded["load"]) = (Value::Null, json!({"Uniform": {"half_width": 1}}));
+    assert_eq!(Scene::from_json(&loaded.to_string()).unwrap().paths()[..2], ["force", "load.half_width"]);
     let folder = std::env::temp_dir().join(format!("recede-json-{}", std::process::id()));
     fs::create_dir_all(&folder).unwrap();
     let file = folder.join("scene.json");
