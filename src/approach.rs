@@ -221,9 +221,10 @@ fn stiffness(
 /// The sum of the errors of all pressures, as parts of the mean pressures, and with `ends` also of the half-lengths.
 fn relative_error(solution: &Solution, ends: bool) -> f64 {
     let of = |contact: &Contact| {
-        let (a, [_, pressure], end) = (contact.half_span(), contact.middle_pressure, contact.end_error());
+        let ([_, pressure], end) = (contact.middle_pressure, contact.end_error());
+        let length: f64 = contact.intervals().iter().map(|one| one.right - one.left).sum();
         // nothing depends on an end that is not known at all
-        2.0 * a * pressure / contact.resultant + if ends && end < 1.0 { end } else { 0.0 }
+        length * pressure / contact.resultant + if ends && end < 1.0 { end } else { 0.0 }
     };
     solution.contacts().iter().map(of).filter(|error| error.is_finite()).sum::<f64>()
 }

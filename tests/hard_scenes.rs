@@ -2,7 +2,7 @@
 use std::path::Path;
 
 use recede::selftest::{CheckedScene, Outcome};
-use recede::{Error, Interface, NoSolution, Options, Scene};
+use recede::{Error, NoSolution, Options, Scene};
 
 use crate::support::{innermost_end, outwards};
 
@@ -84,20 +84,9 @@ fn hard_scenes_are_solved() {
 
 #[test]
 fn what_has_no_answer_is_named_with_what_to_do() {
-    let (interface, x) = (Interface::Punch, 0.8);
-    let parts = vec![[0.05, 0.8]];
-    for (failure, expected) in [
-        (NoSolution::Parts { interface, parts }, "5.000e-2 to 8.000e-1 from"),
-        (NoSolution::Tension { interface, x, half_lengths: vec![x] }, "in tension 8e-1 from"),
-        (NoSolution::Penetration { interface, x }, "penetrate each other 8e-1 from"),
-        (NoSolution::NotConverged, "did not converge"),
-    ] {
-        let named = !matches!(failure, NoSolution::NotConverged);
-        let error = Error::from(failure);
-        let (message, hint) = (error.to_string(), error.hint());
-        assert!(message.contains(expected) && hint.is_some(), "{message}");
-        assert_eq!(message.contains("punch"), named, "{message}");
-    }
+    let error = Error::from(NoSolution::NotConverged);
+    let (message, hint) = (error.to_string(), error.hint());
+    assert!(message.contains("did not converge") && hint.is_some(), "{message}");
 }
 
 #[test]
@@ -109,7 +98,7 @@ fn a_trial_without_an_answer_says_why_in_words_that_count() {
     };
     let [one, other] = [1e-2, 2e-2]
         .map(|radius| CheckedScene::of_contacts(&Scene::from_ron(&text(radius)).unwrap(), &Options::default()).outcome);
-    assert_eq!((one.status(), one.is_wrong(), one.interface()), ("unsolved", false, None));
+    assert_eq!((one.status(), one.is_wrong()), ("unsolved", false));
     assert!(one.solution().is_none() && one.reason().contains("reach its edge"), "{}", one.reason());
     // the same words for the same cause
     assert_eq!(one.reason(), other.reason());

@@ -1,6 +1,5 @@
 //! Why a contact problem has no solution that could be found.
 use crate::geometry::Geometry;
-use crate::solution::Interface;
 use crate::system::Unresolved;
 
 /// Why a contact problem was not solved.
@@ -160,39 +159,6 @@ pub enum NoSolution {
     /// The ends of the contacts did not converge: what was tried last tells nothing of them.
     #[error("the ends of the contacts did not converge")]
     NotConverged,
-    /// A contact would be in tension.
-    #[error("the contact at {} would be in tension {x:e} from its middle: no contact pressure may be negative", place(.interface))]
-    Tension {
-        /// The contact.
-        interface: Interface,
-        /// Where, in length.
-        x: f64,
-        /// The half-lengths with which it would be, from the top down, in length.
-        half_lengths: Vec<f64>,
-    },
-    /// Bodies touch in more than one interval, and where exactly was not found.
-    #[error("the contact at {} is not one interval: the bodies touch {} from its middle", place(.interface), intervals(.parts))]
-    Parts {
-        /// The contact.
-        interface: Interface,
-        /// Intervals of |x| in which they touch, right to some per cent, ascending, in length; the last may be infinite.
-        parts: Vec<[f64; 2]>,
-    },
-    /// Two bodies would penetrate each other.
-    #[error("the bodies at {} would penetrate each other {x:e} from the middle: no gap outside the contact may be negative", place(.interface))]
-    Penetration {
-        /// The contact outside which they do.
-        interface: Interface,
-        /// Where, in length.
-        x: f64,
-    },
-}
-
-fn place(interface: &Interface) -> String {
-    match interface {
-        Interface::Punch => "the punch".to_owned(),
-        between => format!("the interface {between}"),
-    }
 }
 
 /// Which values are reached on either side of one that is not.
@@ -214,15 +180,6 @@ fn reachable(controlled: Controlled, below: Option<f64>, above: Option<f64>) -> 
     }
 }
 
-fn intervals(parts: &[[f64; 2]]) -> String {
-    let interval = |[from, to]: &[f64; 2]| match *from {
-        0.0 => format!("up to {to:.3e}"),
-        _ if to.is_infinite() => format!("beyond {from:.3e}"),
-        _ => format!("{from:.3e} to {to:.3e}"),
-    };
-    parts.iter().map(interval).collect::<Vec<_>>().join(" and ")
-}
-
 impl NoSolution {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
@@ -237,14 +194,6 @@ impl NoSolution {
             Self::NotConverged => {
                 "contacts hundreds of times longer than a layer next to them is thick need more modes than there are: \
                  try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"
-            }
-            Self::Parts { .. } => {
-                "its parts could not be found more exactly than that: other stiffnesses, thicknesses or another force \
-                 may make it one interval, or easier to solve"
-            }
-            Self::Tension { .. } | Self::Penetration { .. } => {
-                "the contact may be more than one interval (open in the middle, touching again farther out), which is \
-                 not always solved, or too long for the layers next to it, which a smaller force shortens"
             }
             Self::Unreachable { controlled: Controlled::Approach, .. } => {
                 "the contact would reach the edge of the punch: prescribe a smaller approach, or make the punch wider"

@@ -40,6 +40,7 @@ pub use error::FieldError;
 
 use body::{DepthRow, LoadedBody, PlacedLayer};
 use pressure::ContactPressure;
+use surface::Components;
 use waves::LongWaves;
 
 /// Rounding of stresses, in parts of the mean pressure.
@@ -59,8 +60,8 @@ const POWER: f64 = 1e-3;
 ///
 /// Stresses are positive in tension; x runs along the layers from the centre of the contact, y upwards, so that σ_xy > 0
 /// drags the upper side of a cut towards −x. `depth` is measured downwards from the top face of the stack. Displacements
-/// of a plane body are defined up to a rigid motion: u is 0 in the middle, and v is counted from the rigid base or, on a
-/// half-plane, from the point of its top face there. The middle is the place about which all contacts are symmetric; else x = 0.
+/// of a plane body are defined up to a rigid motion: u is 0 at x = 0, and v is counted from the rigid base or, on a
+/// half-plane, from the point of its top face at x = 0.
 ///
 /// On an interface σ_xx jumps, and if it is a receding one, so do the displacements outside the contact. There a point
 /// belongs to the layer below, unless a layer is named.
@@ -287,11 +288,32 @@ impl Field {
         };
         let (places, of): (Vec<_>, Vec<_>) = sets.iter().map(distinct).unzip();
         let values = self.sum(rows, &places, precision)?;
+        let origins = if precision.displacements { self.at_origin(precision)? } else { Vec::new() };
+        // v of all bodies is counted from a half-plane
+        let is_half_plane = self.bodies.last().is_some_and(|body| body.bottom.is_none());
+        let lift = origins.last().filter(|_| is_half_plane).map_or(0.0, |[_, v]| *v);
         let points = rows.iter().zip(&values).map(|(row, values)| {
+            let u = origins.get(self.layers[row.layer].body).map_or(0.0, |[u, _]| *u);
             let places = sets[row.set].iter().zip(&of[row.set]);
-            places.map(|(x, k)| self.point(*x, row, values[*k])).collect()
+            let from_origin = |point: FieldPoint| FieldPoint { u: point.u - u, v: point.v - lift, ..point };
+            places.map(|(x, k)| from_origin(self.point(*x, row, values[*k]))).collect()
         });
         Ok(points.collect())
+    }
+
+    /// u and v of each body at x = 0 of the depth from which they are counted, where the middle is another place; 0 of bodies that stay.
+    fn at_origin(&self, precision: &Precision) -> Result<Vec<[f64; 2]>, FieldError> {
+        if self.middle == 0.0 {
+            return Ok(Vec::new());
+        }
+        let known: Vec<DepthRow> = self.bodies.iter().filter_map(|body| body.reference).collect();
+        let mut values = self.sum(&known, &[vec![self.place(0.0)]], precision)?.into_iter().zip(&known);
+        let displacements = |(values, row): (Vec<Components>, &DepthRow)| {
+            let point = self.point(0.0, row, values[0]);
+            [point.u, point.v]
+        };
+        let of = |body: &LoadedBody| body.reference.and_then(|_| values.next()).map_or([0.0; 2], displacements);
+        Ok(self.bodies.iter().map(of).collect())
     }
 
     /// Depths at which layers begin and end, with the layers' numbers, from the top down; a half-plane ends at infinity.

@@ -42,9 +42,9 @@ pub struct FieldPoint {
     pub depth: f64,
     /// Number of the layer, from the top as written in the scene, starting at 1.
     pub layer: usize,
-    /// Displacement along x, 0 in the middle, see [`Field`].
+    /// Displacement along x, 0 at x = 0.
     pub u: f64,
-    /// Displacement upwards, counted from the rigid base or from the top face of the half-plane in the middle.
+    /// Displacement upwards, counted from the rigid base or from the top face of the half-plane at x = 0.
     pub v: f64,
     /// Slope dv/dx.
     pub slope: f64,

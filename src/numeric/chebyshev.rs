@@ -1,5 +1,6 @@
 //! Interpolation by polynomials: from Gauss nodes, and as Chebyshev series.
 
+use super::longest;
 use super::quadrature::{self, SIZES, rule};
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -27,7 +28,7 @@ pub fn barycentric_weights(nodes: &[f64]) -> Vec<f64> {
             1.0 / others.fold(1.0, |product, (_, y)| product * (x - y) * scale)
         })
         .collect();
-    let largest = largest(&weights);
+    let largest = longest(weights.iter().copied());
     weights.iter_mut().for_each(|w| *w /= largest);
     weights
 }
@@ -93,18 +94,9 @@ pub fn legendre_tail(values_at_rule16: &[f64; PANEL]) -> f64 {
 
 /// The last coefficients relative to the largest.
 fn tail(coefficients: &[f64]) -> f64 {
-    let all = largest(coefficients);
-    if coefficients.iter().any(|c| !c.is_finite()) {
-        f64::INFINITY
-    } else if all == 0.0 {
-        0.0
-    } else {
-        largest(&coefficients[coefficients.len().saturating_sub(TAIL)..]) / all
-    }
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m, v| v.abs().max(m))
+    let all = longest(coefficients.iter().copied());
+    let last = longest(coefficients.iter().rev().take(TAIL).copied());
+    if all.is_infinite() { f64::INFINITY } else { last / all.max(f64::MIN_POSITIVE) }
 }
 
 /// The `n` points of [lo, hi] that a [`Series`] is made from, ascending: the extrema of a Chebyshev polynomial, ends

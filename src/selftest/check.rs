@@ -3,7 +3,6 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use super::commands;
-use crate::contact::NoSolution;
 use crate::errors::Error;
 use crate::model::Model;
 use crate::options::Options;
@@ -107,18 +106,6 @@ impl Outcome {
             Self::Unsolved(error) => error.to_string(),
             Self::Wrong(text) | Self::Panicked(text) => text.clone(),
         })
-    }
-
-    /// The contact that the reason names.
-    pub fn interface(&self) -> Option<Interface> {
-        match self {
-            Self::Unsolved(Error::NoSolution(
-                NoSolution::Tension { interface, .. }
-                | NoSolution::Penetration { interface, .. }
-                | NoSolution::Parts { interface, .. },
-            )) => Some(*interface),
-            _ => None,
-        }
     }
 }
 

@@ -21,12 +21,12 @@ const UNSEEN: f64 = 0.1;
 
 /// The number of scenes for each status and reason.
 pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
-    let mut causes: BTreeMap<(&str, &str, &str), Vec<u64>> = BTreeMap::new();
-    for Ended { number, status, reason, interface, .. } in ended {
-        causes.entry((status, reason, interface)).or_default().push(*number);
+    let mut causes: BTreeMap<(&str, &str), Vec<u64>> = BTreeMap::new();
+    for Ended { number, status, reason, .. } in ended {
+        causes.entry((status, reason)).or_default().push(*number);
     }
-    let mut table = table(["status", "reason", "contact", "scenes", "share", "numbers"]);
-    for ((status, reason, interface), numbers) in causes {
+    let mut table = table(["status", "reason", "scenes", "share", "numbers"]);
+    for ((status, reason), numbers) in causes {
         let share = format!("{:.2} %", 100.0 * numbers.len() as f64 / ended.len() as f64);
         let listed: Vec<String> = match status {
             "solved" => Vec::new(),
@@ -34,8 +34,8 @@ pub(super) fn causes(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> {
         };
         let more = if listed.len() == LISTED && numbers.len() > LISTED { ", ..." } else { "" };
         let listed = listed.join(", ") + more;
-        let [status, reason, interface] = [status, reason, interface].map(str::to_owned);
-        table.add_row([status, reason, interface, numbers.len().to_string(), share, listed]);
+        let [status, reason] = [status, reason].map(str::to_owned);
+        table.add_row([status, reason, numbers.len().to_string(), share, listed]);
     }
     writeln!(out, "{table}")
 }

@@ -20,8 +20,6 @@ pub(super) struct Ended {
     /// Status in one word, and the reason.
     pub(super) status: String,
     pub(super) reason: String,
-    /// The contact that the reason names.
-    pub(super) interface: String,
     /// Whether the result must never happen, such as a panic.
     pub(super) is_wrong: bool,
     /// How long the contact problem took.
@@ -90,7 +88,6 @@ impl SelftestArguments {
             number,
             status: outcome.status().to_owned(),
             reason: outcome.reason(),
-            interface: outcome.interface().map_or(String::new(), |interface| interface.to_string()),
             is_wrong: outcome.is_wrong(),
             seconds,
             answer,

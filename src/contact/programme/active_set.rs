@@ -6,6 +6,7 @@
 use crate::contact::problem::iteration::Progress;
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
+use crate::numeric::longest;
 
 /// Operations at most, about: each step costs the cube of the number of elements.
 const WORK: f64 = 2e10;
@@ -36,7 +37,7 @@ impl<'a> Programme<'a> {
             let pressure = &state.pressures;
             let mut wrong = Vec::new();
             for i in 0..contacts {
-                let zero = ROUNDING * largest(&pressure[i]);
+                let zero = ROUNDING * longest(pressure[i].iter().copied());
                 let tensile = (0..elements).filter(|e| touching[i][*e] && pressure[i][*e] < -zero);
                 wrong.extend(tensile.chain(self.penetrations(i, &touching[i], &state)).map(|e| (i, e)));
             }
@@ -79,7 +80,7 @@ impl<'a> Programme<'a> {
                 step = tensile.fold(step, |step, (p, wanted)| step.min(p / (p - wanted)));
             }
             for (i, ((own, wanted), touching)) in pressure.iter_mut().zip(wanted).zip(&mut touching).enumerate() {
-                let zero = ROUNDING * largest(wanted);
+                let zero = ROUNDING * longest(wanted.iter().copied());
                 for (e, ((p, wanted), touches)) in own.iter_mut().zip(wanted).zip(touching).enumerate() {
                     *p += step * (wanted - *p);
                     if step < 1.0 && *wanted < 0.0 && *p <= zero {
@@ -129,8 +130,4 @@ impl<'a> Programme<'a> {
     fn resultant(&self, pressure: &[f64]) -> f64 {
         pressure.iter().zip(&self.energy.resultants).map(|(p, resultant)| p * resultant).sum()
     }
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
