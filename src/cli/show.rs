@@ -5,7 +5,7 @@ use recede::{BlockSystem, Model};
 
 use super::{Failure, SceneFile};
 
-/// Show the block matrix of a stack in symbols, or unknowns and rows of the contact equations
+/// Show the block matrix of a stack in symbols, or the contact equations
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
 Examples:
@@ -18,7 +18,7 @@ pub struct ShowArguments {
     /// Write LaTeX
     #[arg(long)]
     latex: bool,
-    /// Show the unknowns and rows of the contact equations that are solved in place of the block matrix
+    /// Show the unknowns and rows of the contact equations that were solved
     #[arg(long, conflicts_with = "latex")]
     contacts: bool,
 }

@@ -2,27 +2,13 @@
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
-use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Strip, Warning};
+use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Warning};
 use crate::validity;
-
-/// What was found of a contact whose pressure was to be found. Lengths are in units of L, pressures in units of μ₀P'.
-#[derive(Clone)]
-pub(crate) struct Found {
-    /// Where the bodies touch, one interval at least, from left to right.
-    pub(crate) intervals: Vec<Interval>,
-    /// Pressure in the middle of what is even, elsewhere in the middle of the interval with the largest force, and its absolute error.
-    pub(crate) peak: f64,
-    pub(crate) peak_error: f64,
-    /// The pressures whose sum is the pressure of the contact, from left to right.
-    pub(crate) strips: Vec<Strip>,
-    /// Under several punches the number of the punch of each interval; else none.
-    pub(crate) punches: Vec<usize>,
-}
 
 /// What was found of all contacts.
 pub(crate) struct Answer {
-    /// From the top down, without those whose pressure is given.
-    pub(crate) contacts: Vec<Found>,
+    /// From the top down, without those whose pressure is given: lengths in units of L, pressures in units of μ₀P'.
+    pub(crate) contacts: Vec<Contact>,
     /// Smallest pressure inside and smallest gap outside the contacts, the latter per unit of P'.
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
@@ -50,7 +36,7 @@ impl Answer {
                 let about = problem.is_even().then(|| problem.top.middle());
                 Some(load::contact(&given.loads, *interface, force, problem.twin(), about))
             }
-            None => found.next().map(|found| found.into_contact(*interface, problem, unit)),
+            None => found.next().map(|found| found.scaled(length, unit).moved(problem.top.middle())),
         };
         let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();
         // what lies above a contact turns with all that turns below
@@ -87,70 +73,5 @@ impl Answer {
             stats: self.stats,
             warnings,
         }
-    }
-}
-
-impl Found {
-    /// What is even about x = 0, from intervals and strips of x ≥ 0, from the middle outwards: an interval that begins at 0 is one with its
-    /// mirror image.
-    pub(crate) fn even(right: &[Interval], [peak, peak_error]: [f64; 2], strips: &[Strip]) -> Self {
-        let mut intervals: Vec<Interval> = right.iter().rev().map(Interval::mirrored).collect();
-        let left = intervals.pop_if(|_| right[0].left == 0.0);
-        intervals.extend(right);
-        if let Some(Interval { left, left_error, .. }) = left {
-            let middle = &mut intervals[right.len() - 1];
-            (middle.left, middle.left_error) = (left, left_error);
-        }
-        let images = strips.iter().rev().filter(|strip| strip.at > 0.0).map(|strip| strip.mirrored(0.0));
-        let strips = images.chain(strips.iter().cloned()).collect();
-        Self { intervals, peak, peak_error, strips, punches: Vec::new() }
-    }
-
-    /// As far as the bodies touch from x = 0.
-    pub(crate) fn reach(&self) -> f64 {
-        Interval::reach(&self.intervals)
-    }
-
-    /// The interval about x = 0, or the next one.
-    pub(crate) fn innermost(&self) -> Interval {
-        Interval::innermost(&self.intervals, 0.0)
-    }
-
-    fn into_contact(self, interface: Interface, problem: &Problem, unit: f64) -> Contact {
-        let (origin, length) = (problem.top.middle(), problem.kernel.length());
-        let interval = |Interval { left, right, left_error, right_error, .. }: &Interval| {
-            let place = |x: f64, error: f64| [origin + x * length, error * length];
-            Interval::new(place(*left, *left_error), place(*right, *right_error))
-        };
-        let strips: Vec<Strip> = self
-            .strips
-            .into_iter()
-            .map(|strip| strip.scaled(length, unit))
-            .map(|strip| Strip { at: origin + strip.at, ..strip })
-            .collect();
-        // an infinite pressure is known
-        let error = if self.peak.is_infinite() { 0.0 } else { self.peak_error * unit };
-        let middle_pressure = [self.peak * unit, error];
-        let about = problem.is_even().then_some(origin);
-        // the series of a sharp tip is summed in closed form in the middle
-        let [central_pressure, central_pressure_error] = if about == Some(0.0) {
-            middle_pressure
-        } else {
-            let pressure: f64 = strips.iter().map(|strip| strip.pressure(0.0)).sum();
-            // so is none
-            [pressure, if pressure == 0.0 || pressure.is_infinite() { 0.0 } else { self.peak_error * unit }]
-        };
-        let contact = Contact {
-            interface,
-            punches: self.punches,
-            central_pressure,
-            central_pressure_error,
-            about,
-            middle_pressure,
-            resultant: strips.iter().map(Strip::resultant).sum(),
-            strips,
-            intervals: self.intervals.iter().map(interval).collect(),
-        };
-        contact.with_forces()
     }
 }

@@ -190,25 +190,14 @@ impl<'a> Between<'a> {
             let left = self.known(|point| of(point).left, |point| of(point).left_error);
             Interval::new(left, self.known(|point| of(point).right, |point| of(point).right_error))
         };
-        let between = |of: fn(&Contact) -> [f64; 2]| match of(one)[0].is_finite() {
-            true => self.known(|point| of(&point.contacts[i])[0], |point| of(&point.contacts[i])[1]),
-            false => of(one),
+        let middle = |point: &Solution| point.contacts[i].middle_pressure;
+        let middle = match one.middle_pressure[0].is_finite() {
+            true => self.known(|point| middle(point)[0], |point| middle(point)[1]),
+            false => one.middle_pressure,
         };
-        let [central_pressure, central_pressure_error] =
-            between(|contact| [contact.central_pressure, contact.central_pressure_error]);
         let strips: Vec<Strip> = (0..one.strips.len()).map(|k| self.strip(i, k)).collect();
-        let contact = Contact {
-            interface: one.interface,
-            central_pressure,
-            central_pressure_error,
-            resultant: strips.iter().map(Strip::resultant).sum(),
-            strips,
-            intervals: (0..one.intervals.len()).map(interval).collect(),
-            punches: one.punches.clone(),
-            about: one.about,
-            middle_pressure: between(|contact| contact.middle_pressure),
-        };
-        contact.with_forces()
+        let intervals = (0..one.intervals.len()).map(interval).collect();
+        Contact::new(one.interface, intervals, strips, one.about, middle, one.punches.clone())
     }
 
     fn strip(&self, i: usize, k: usize) -> Strip {

@@ -18,7 +18,7 @@ use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
 use crate::kernel::{DECAYED, Kernel};
 use crate::numeric;
-use crate::solution::{Interface, Warning, WarningCode};
+use crate::solution::{Contact, Interface, Warning, WarningCode};
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin<'a> {
@@ -64,10 +64,11 @@ pub(super) fn solve(
 fn worst(answer: &Answer) -> f64 {
     let errors = answer.contacts.iter().flat_map(|contact| {
         // a pressure of 0 is known, and an infinite one cannot be missed
-        let is_known = contact.peak == 0.0 || contact.peak.is_infinite();
+        let [middle, error] = contact.middle_pressure;
+        let is_known = middle == 0.0 || middle.is_infinite();
         // nothing depends on an end that is not found
-        let end = Some(contact.innermost().end_error(Some(0.0))).filter(|error| *error < ENDLESS).unwrap_or_default();
-        [end, if is_known { 0.0 } else { contact.peak_error / contact.peak }]
+        let end = Some(contact.end_error()).filter(|error| *error < ENDLESS).unwrap_or_default();
+        [end, if is_known { 0.0 } else { error / middle }]
     });
     numeric::largest(errors)
 }
@@ -171,7 +172,8 @@ impl<'a> Thin<'a> {
                 interval.left_error = (interval.left_error + self.error * left).min(left);
                 interval.right_error = (interval.right_error + self.error * right).min(right);
             }
-            contact.peak_error += self.error * contact.peak.abs();
+            let [middle, error] = &mut contact.middle_pressure;
+            *error += self.error * middle.abs();
         }
         answer.warnings.extend(self.contacts.iter().map(|(contact, error)| {
             left_out(format!(
@@ -182,7 +184,8 @@ impl<'a> Thin<'a> {
         }));
         let known = (0..problem.contacts()).filter(|i| problem.is_known(*i)).count();
         for (lower, error) in self.joined.iter().rev() {
-            answer.contacts.insert(lower - known, answer.contacts[lower - known - 1].clone());
+            let above = answer.contacts[lower - known - 1].clone();
+            answer.contacts.insert(lower - known, Contact { interface: problem.interfaces[*lower], ..above });
             answer.stats.modes.insert(*lower, answer.stats.modes[*lower - 1]);
             if let Some(above) = answer.stats.terms.get(*lower - 1).cloned() {
                 answer.stats.terms.insert(*lower, above);

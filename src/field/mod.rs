@@ -109,7 +109,7 @@ impl Field {
         let plane = stack.plane();
         let layers = body::layers(stack);
         let (is_even, middle) = (solution.about().is_some(), solution.about().unwrap_or(0.0));
-        let contacts: Vec<Contact> = solution.contacts().iter().map(|contact| contact.moved(-middle)).collect();
+        let contacts: Vec<Contact> = solution.contacts().iter().map(|contact| contact.clone().moved(-middle)).collect();
         let pressure = |contact: &Contact| ContactPressure::new(contact, is_even);
         let pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         let stiffnesses = |placed: &PlacedLayer| {

@@ -36,7 +36,7 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     let distance = distance(scene);
     let half_width = |width: f64| format!("{half_width} {}{length}", short(width));
     let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
-    let punch = match (scene.top.punch(), scene.top.loads()) {
+    let punch = match (scene.top.punch().or_else(|| scene.top.even_punch()), scene.top.loads()) {
         (Some(punch), _) => punch,
         (None, Some(loads)) => return of_loads(scene, loads),
         (None, None) => return vec![scene.top.label(scene.geometry)],

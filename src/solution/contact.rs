@@ -61,17 +61,6 @@ impl Interval {
         Self { left, left_error, right, right_error, force: 0.0, centroid: 0.0 }
     }
 
-    /// Of intervals from left to right the one about a place; where there is none, the next one to the right, or the last one of all.
-    pub(crate) fn innermost(all: &[Self], about: f64) -> Self {
-        let next = all.iter().find(|interval| interval.right >= about);
-        next.or(all.last()).copied().unwrap_or_default()
-    }
-
-    /// As far as intervals from left to right reach on either side of x = 0.
-    pub(crate) fn reach(all: &[Self]) -> f64 {
-        all.first().zip(all.last()).map_or(0.0, |(first, last)| last.right.max(-first.left))
-    }
-
     /// Its mirror image about x = 0, without a force.
     pub(crate) fn mirrored(&self) -> Self {
         Self::new([-self.right, self.right_error], [-self.left, self.left_error])
@@ -86,6 +75,54 @@ impl Interval {
 }
 
 impl Contact {
+    /// A contact with intervals and pressures from left to right, under several punches with the number of the punch of each. Of what is even `about` a place the
+    /// middle pressure is the pressure there, elsewhere in the middle of the interval with the largest force, with its absolute error.
+    pub(crate) fn new(
+        interface: Interface,
+        intervals: Vec<Interval>,
+        strips: Vec<Strip>,
+        about: Option<f64>,
+        [middle, error]: [f64; 2],
+        punches: Vec<usize>,
+    ) -> Self {
+        // what is infinite is known, and so is what is none
+        let known = |pressure: f64| [pressure, if pressure == 0.0 || pressure.is_infinite() { 0.0 } else { error }];
+        let middle_pressure = known(middle);
+        // the series of a sharp tip is summed in closed form in the middle
+        let [central_pressure, central_pressure_error] = match about {
+            Some(0.0) => middle_pressure,
+            _ => known(strips.iter().map(|strip| strip.pressure(0.0)).sum()),
+        };
+        let resultant = strips.iter().map(Strip::resultant).sum();
+        let contact = Self {
+            interface,
+            central_pressure,
+            central_pressure_error,
+            resultant,
+            strips,
+            intervals,
+            punches,
+            about,
+            middle_pressure,
+        };
+        contact.with_forces()
+    }
+
+    /// What is even about x = 0, from intervals and pressures of x ≥ 0, from the middle outwards: an interval that begins at 0 is one with its
+    /// mirror image.
+    pub(crate) fn even(interface: Interface, right: &[Interval], strips: &[Strip], middle_pressure: [f64; 2]) -> Self {
+        let mut intervals: Vec<Interval> = right.iter().rev().map(Interval::mirrored).collect();
+        let left = intervals.pop_if(|_| right[0].left == 0.0);
+        intervals.extend(right);
+        if let Some(Interval { left, left_error, .. }) = left {
+            let middle = &mut intervals[right.len() - 1];
+            (middle.left, middle.left_error) = (left, left_error);
+        }
+        let images = strips.iter().rev().filter(|strip| strip.at > 0.0).map(|strip| strip.mirrored(0.0));
+        let strips = images.chain(strips.iter().cloned()).collect();
+        Self::new(interface, intervals, strips, Some(0.0), middle_pressure, Vec::new())
+    }
+
     /// All intervals in which the bodies touch, or on which a load presses, from left to right.
     pub fn intervals(&self) -> &[Interval] {
         &self.intervals
@@ -123,22 +160,33 @@ impl Contact {
         self.innermost().end_error(self.about)
     }
 
-    /// The same contact so much farther to the right.
-    pub(crate) fn moved(&self, by: f64) -> Self {
-        let strip = |strip: &Strip| Strip { at: strip.at + by, ..strip.clone() };
-        let interval = |one: &Interval| Interval {
-            left: one.left + by,
-            right: one.right + by,
-            centroid: one.centroid + by,
-            ..*one
+    /// The same in other units of length and pressure.
+    pub(crate) fn scaled(self, length: f64, pressure: f64) -> Self {
+        let interval = |Interval { left, right, left_error, right_error, .. }: &Interval| {
+            Interval::new([left * length, left_error * length], [right * length, right_error * length])
         };
-        Self {
-            about: self.about.map(|about| about + by),
-            strips: self.strips.iter().map(strip).collect(),
-            intervals: self.intervals.iter().map(interval).collect(),
-            punches: self.punches.clone(),
-            ..*self
-        }
+        let strips = self.strips.into_iter().map(|strip| strip.scaled(length, pressure)).collect();
+        let intervals = self.intervals.iter().map(interval).collect();
+        let about = self.about.map(|about| about * length);
+        Self::new(
+            self.interface,
+            intervals,
+            strips,
+            about,
+            self.middle_pressure.map(|own| own * pressure),
+            self.punches,
+        )
+    }
+
+    /// The same so much farther to the right.
+    pub(crate) fn moved(self, by: f64) -> Self {
+        let interval = |Interval { left, right, left_error, right_error, .. }: &Interval| {
+            Interval::new([left + by, *left_error], [right + by, *right_error])
+        };
+        let strips = self.strips.into_iter().map(|strip| Strip { at: strip.at + by, ..strip }).collect();
+        let intervals = self.intervals.iter().map(interval).collect();
+        let about = self.about.map(|about| about + by);
+        Self::new(self.interface, intervals, strips, about, self.middle_pressure, self.punches)
     }
 
     /// The contact under each of several punches, from left to right; itself if there is one punch.
@@ -167,7 +215,9 @@ impl Contact {
 
     /// The interval about the middle of what is even, else about x = 0; where the bodies are apart there, the next one to the right, or the last one of all.
     pub(crate) fn innermost(&self) -> Interval {
-        Interval::innermost(&self.intervals, self.about.unwrap_or(0.0))
+        let about = self.about.unwrap_or(0.0);
+        let next = self.intervals.iter().find(|interval| interval.right >= about);
+        next.or(self.intervals.last()).copied().unwrap_or_default()
     }
 
     /// Two places at which the bodies touch; the same twice if the contact is its own mirror image: the middle unless they are apart there.
@@ -179,7 +229,8 @@ impl Contact {
 
     /// As far as the bodies touch on either side of x = 0: the half-length, or the distance of the farthest end.
     pub fn reach(&self) -> f64 {
-        Interval::reach(&self.intervals)
+        let [left, right] = self.ends();
+        right.max(-left)
     }
 
     /// Whether the contact is its own mirror image about x = 0.
@@ -232,9 +283,9 @@ impl Contact {
         self.strips.iter().map(|strip| strip.pressure(x)).sum()
     }
 
-    /// The same with the force and the centroid of each interval: a pressure belongs to the interval that it lies in; in low-accuracy
+    /// With the force and the centroid of each interval: a pressure belongs to the interval that it lies in; in low-accuracy
     /// answers it may lie next to it.
-    pub(crate) fn with_forces(mut self) -> Self {
+    fn with_forces(mut self) -> Self {
         let about = self.about;
         let intervals = &mut self.intervals;
         if self.strips.iter().any(|strip| strip.is_round) {

@@ -24,7 +24,7 @@ mod topology;
 mod unknowns;
 mod waves;
 
-use crate::contact::answer::{Answer, Found};
+use crate::contact::answer::Answer;
 use crate::contact::integrals::layout::Lengths;
 use crate::contact::integrals::tail::turning;
 use crate::contact::problem::Problem;
@@ -34,7 +34,7 @@ use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
 use crate::contact::programme::ActiveIntervals;
 use crate::numeric::largest;
-use crate::solution::{self, Stats, Strip, Warning, WarningCode};
+use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
 use gaps::Fault;
 pub(super) use ledger::ledger;
@@ -357,7 +357,7 @@ impl Approximation {
 }
 
 /// What was found of each contact.
-fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found> {
+fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Contact> {
     let pressures = level.middle_pressures(&level.solved.pressures);
     let of = |contact: usize| {
         let first = level.support.0.partition_point(|interval| interval.contact < contact);
@@ -394,13 +394,13 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Found
                 _ if problem.sides[contact].is_sharp() => [f64::INFINITY, 0.0],
                 _ => [pressures[first], peak_error],
             };
-            return Found::even(&intervals, peak, &strips);
+            return Contact::even(problem.interfaces[contact], &intervals, &strips, peak);
         }
         let force = |number: &usize| level.regular[*number].force(&level.support.0[*number]);
         let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));
         let peak = widest.map_or(0.0, |widest| pressures[widest]);
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();
-        Found { intervals, peak, peak_error, strips, punches: numbers }
+        Contact::new(problem.interfaces[contact], intervals, strips, None, [peak, peak_error], numbers)
     };
     problem.unknown().map(of).collect()
 }

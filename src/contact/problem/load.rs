@@ -1,6 +1,5 @@
 //! Given pressures on top, in place of what a punch would do: their transform is known for any wavenumber.
 use std::borrow::Cow;
-use std::cmp::Ordering;
 use std::f64::consts::PI;
 
 use crate::numeric::bessel;
@@ -161,30 +160,11 @@ fn round(strip: Strip, force: f64) -> Strip {
 /// What is said of loads in place of a contact: nothing of it is unknown.
 pub(crate) fn contact(loads: &Loads, interface: Interface, force: f64, twin: Twin, about: Option<f64>) -> Contact {
     let (mut strips, intervals) = (strips(loads, force, twin), intervals(loads));
-    strips.sort_by(from_left_to_right);
+    strips.sort_by(|a, b| a.at.total_cmp(&b.at));
     // in the hole of a ring nothing presses but the rounding of two discs
     let is_loaded = |x: f64| intervals.iter().any(|interval| interval.left <= x && interval.right >= x);
-    let pressure = |x: f64| if is_loaded(x) { strips.iter().map(|strip| strip.pressure(x)).sum() } else { 0.0 };
-    let (central_pressure, middle_pressure) = (pressure(0.0), [pressure(about.unwrap_or(0.0)), 0.0]);
-    let contact = Contact {
-        interface,
-        central_pressure,
-        central_pressure_error: 0.0,
-        about,
-        middle_pressure,
-        resultant: force,
-        strips,
-        intervals,
-        punches: Vec::new(),
-    };
-    contact.with_forces()
-}
-
-/// The order of strips by their middles; at one place an order that mirror images have the other way round.
-fn from_left_to_right(a: &Strip, b: &Strip) -> Ordering {
-    let (inner, outer) = if a.at < 0.0 { (b, a) } else { (a, b) };
-    let size = |strip: &Strip| [strip.extent, f64::from(strip.form as u8), strip.resultant()];
-    a.at.total_cmp(&b.at).then_with(|| size(inner).partial_cmp(&size(outer)).unwrap_or(Ordering::Equal))
+    let middle = about.filter(|x| is_loaded(*x)).map_or(0.0, |x| strips.iter().map(|strip| strip.pressure(x)).sum());
+    Contact { resultant: force, ..Contact::new(interface, intervals, strips, about, [middle, 0.0], Vec::new()) }
 }
 
 /// Where loads press, from left to right, what overlaps as one.

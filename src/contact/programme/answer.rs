@@ -2,12 +2,12 @@
 //!
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
-use crate::contact::answer::{Answer, Found};
+use crate::contact::answer::Answer;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, SAFETY};
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, load};
 use crate::numeric::largest;
-use crate::solution::{Form, Interval, Stats, Strip, Warning, WarningCode};
+use crate::solution::{Contact, Form, Interval, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
 use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
@@ -31,7 +31,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<An
 }
 
 /// What contact i of the programme, contact `contact` of the problem, is.
-fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Option<Found> {
+fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Option<Contact> {
     let [before, last] = cycles else { return None };
     let force: f64 = last.forces[i].iter().filter(|force| **force > 0.0).sum();
     if (force - 1.0).abs() > COARSE {
@@ -57,7 +57,8 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
         () => middle(last) / force,
     };
     // elements well inside a contact are the same on all grids: no better than the coarse ones
-    Some(Found::even(&parts, [peak, super::COARSE.ends * peak + change / force], &last.strips(i, force)))
+    let middle = [peak, super::COARSE.ends * peak + change / force];
+    Some(Contact::even(problem.interfaces[contact], &parts, &last.strips(i, force), middle))
 }
 
 /// Where contact i of the programme touches, from the middle outwards.

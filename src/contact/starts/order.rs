@@ -4,13 +4,14 @@
 //! 2. Where all is even: where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start.
 //! 3. Both again, with more terms.
 //! 4. Where all is even: the pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
-use crate::contact::answer::{Answer, Found};
+use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::{self, Refused};
 use crate::contact::problem::Problem;
 use crate::contact::problem::iteration::Work;
 use crate::contact::programme;
 use crate::contact::starts::formulas;
+use crate::solution::Contact;
 
 /// What tells the list to begin with.
 #[derive(Clone, Copy)]
@@ -59,6 +60,6 @@ pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> 
     let Some(answer) = solved.or_else(low) else {
         return Err(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
     };
-    let reaches: Vec<f64> = answer.contacts.iter().map(Found::reach).collect();
+    let reaches: Vec<f64> = answer.contacts.iter().map(Contact::reach).collect();
     problem.too_small(&reaches).map_or(Ok(answer), Err)
 }
