@@ -223,8 +223,7 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
     let of = |contact: &Contact| {
         let ([_, pressure], end) = (contact.middle_pressure, contact.end_error());
         let length: f64 = contact.intervals().iter().map(|one| one.right - one.left).sum();
-        // nothing depends on an end that is not known at all
-        length * pressure / contact.resultant + if ends && end < 1.0 { end } else { 0.0 }
+        length * pressure / contact.resultant + if ends { end } else { 0.0 }
     };
     solution.contacts().iter().map(of).filter(|error| error.is_finite()).sum::<f64>()
 }

@@ -67,7 +67,8 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
     let inside = ends.chain([middle]).filter(|x| *x > first && *x < last);
     let mut breaks: Vec<f64> = inside.chain([first, last]).collect();
     breaks.sort_by(f64::total_cmp);
-    breaks.dedup();
+    // what differs by rounding is one place
+    breaks.dedup_by(|next, before| *next - *before <= 8.0 * f64::EPSILON * first.abs().max(last.abs()));
     let steps = (count / (breaks.len() - 1)).max(4);
     let between = |pair: &[f64]| {
         let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));

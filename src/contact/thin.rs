@@ -8,7 +8,7 @@
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
 //! solved without these waves, and that change is part of the error.
-use crate::contact::problem::accuracy::{COARSE, ENDLESS, ROUNDING, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY, SLOW};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -66,9 +66,7 @@ fn worst(answer: &Answer) -> f64 {
         // a pressure of 0 is known, and an infinite one cannot be missed
         let [middle, error] = contact.middle_pressure;
         let is_known = middle == 0.0 || middle.is_infinite();
-        // nothing depends on an end that is not found
-        let end = Some(contact.end_error()).filter(|error| *error < ENDLESS).unwrap_or_default();
-        [end, if is_known { 0.0 } else { error / middle }]
+        [contact.end_error(), if is_known { 0.0 } else { error / middle }]
     });
     numeric::largest(errors)
 }
@@ -103,7 +101,9 @@ impl<'a> Thin<'a> {
     ) -> Result<Answer, ContactError> {
         // with and without together take half as long again as one of them at most
         let without = || self.without(problem, problem.tolerance, 0.5 * problem.operations, solve);
-        if self.error <= problem.tolerance || self.is_unresolved() {
+        // the boundary layer at the ends of a contact is as long as a layer there is thick, up to φ = √(2 h/a) of x = a cos φ: shorter than a wave of the highest modes
+        let is_unresolved = (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI;
+        if self.error <= problem.tolerance || is_unresolved {
             return without().or_else(|_| solve(problem));
         }
         let whole = solve(problem);
@@ -153,13 +153,6 @@ impl<'a> Thin<'a> {
     fn interfaces(&self, all: &[Interface]) -> Vec<Interface> {
         let joined = |contact: usize| self.joined.iter().any(|(lower, _)| *lower == contact);
         all.iter().enumerate().filter(|(contact, _)| !joined(*contact)).map(|(_, interface)| *interface).collect()
-    }
-
-    /// Whether the boundary layer at the ends of a contact, as long as a layer there is thick, is shorter than a wave of the
-    /// highest modes there, so that these tell nothing of it.
-    fn is_unresolved(&self) -> bool {
-        // x = a cos φ: a(1 − cos φ) is as long as the layer at φ = √(2 h/a)
-        (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI
     }
 
     /// The answer for all contacts of the problem, with what is left out in its errors, and a warning that says so.

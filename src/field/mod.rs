@@ -385,7 +385,6 @@ fn pressure_error(contact: &Contact, mean: f64) -> f64 {
     // elsewhere the series is no better than its last terms say
     let [pressure, error] = contact.middle_pressure;
     let peak = if pressure.is_finite() { error + contact.last_term() } else { 0.0 };
-    let ends = contact.end_error();
-    let rounding = mean * (ROUNDING + if ends.is_finite() { ends } else { 0.0 });
+    let rounding = mean * (ROUNDING + contact.end_error());
     peak + if rounding.is_finite() { rounding } else { 0.0 }
 }

@@ -105,8 +105,9 @@ impl Field {
         };
         let origin = body.reference.filter(|_| displacements).map_or([0.0; 2], |DepthRow { layer, depth, .. }| {
             let [.., u, v, _] = at(&self.layers[layer], depth, 0.0);
-            // a line load in the middle moves its own place without limit
-            [u, if self.middle == 0.0 { v } else { at(&self.layers[layer], depth, self.place(0.0))[4] }]
+            // a line load on a half-plane moves its own place without limit
+            let is_own = body.bottom.is_some() || self.middle == 0.0;
+            [u, if is_own { v } else { at(&self.layers[layer], depth, self.place(0.0))[4] }]
         });
         let mut values: Vec<Components> = set.iter().map(|x| at(placed, row.depth, *x)).collect();
         for value in &mut values {

@@ -65,13 +65,6 @@ impl Interval {
     pub(crate) fn mirrored(&self) -> Self {
         Self::new([-self.right, self.right_error], [-self.left, self.left_error])
     }
-
-    /// The larger relative error of its ends: relative to their distance from the place about which all is even, else to the half-length.
-    pub(crate) fn end_error(&self, about: Option<f64>) -> f64 {
-        let half = 0.5 * (self.right - self.left);
-        let size = about.map_or(half, |about| (self.right - about).max(about - self.left));
-        self.left_error.max(self.right_error) / size
-    }
 }
 
 impl Contact {
@@ -155,9 +148,16 @@ impl Contact {
         0.5 * (right - left)
     }
 
-    /// The larger relative error of the ends of its interval in the middle, see [`Interval::end_error`].
+    /// The largest error of an end, relative to the distance of its interval from the place about which all is even, else to the half-length of the interval;
+    /// nothing depends on an end that is not known at all.
     pub(crate) fn end_error(&self) -> f64 {
-        self.innermost().end_error(self.about)
+        let of = |&Interval { left, right, left_error, right_error, .. }: &Interval| {
+            let half = 0.5 * (right - left);
+            let [left, right] = self.about.map_or([half; 2], |about| [left - about, right - about].map(f64::abs));
+            let known = |(end, error): (f64, f64)| if error < end { error / left.max(right) } else { 0.0 };
+            known((left, left_error)).max(known((right, right_error)))
+        };
+        self.intervals.iter().map(of).fold(0.0, f64::max)
     }
 
     /// The same in other units of length and pressure.

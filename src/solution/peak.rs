@@ -112,7 +112,7 @@ impl Contact {
         }
         // the series is wrong elsewhere as it is seen to be in the middle
         let seen = if self.about.is_some() { (middle - known).abs() } else { 0.0 };
-        let error = middle_error + self.truncation().max(seen) + largest * self.largest_end_error();
+        let error = middle_error + self.truncation().max(seen) + largest * self.end_error();
         let x_error = flat(&pressure, x, largest, error, self.half_span());
         Peak { pressure: largest, error, x, x_error }
     }
@@ -146,11 +146,5 @@ impl Contact {
         // of a pressure that is given none is missing
         let is_found = self.middle_pressure[1] > 0.0;
         self.strips.iter().filter(|strip| is_found && strip.form == Form::Series).map(last).fold(0.0, f64::max)
-    }
-
-    /// The largest relative error of an end that is known.
-    fn largest_end_error(&self) -> f64 {
-        let errors = self.intervals.iter().map(|interval| interval.end_error(self.about));
-        errors.filter(|error| *error < 1.0).fold(0.0, f64::max)
     }
 }
