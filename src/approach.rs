@@ -84,9 +84,9 @@ pub enum ApproachError {
     /// There is no punch.
     #[error("a prescribed traction has no approach")]
     Load,
-    /// There are several punches, each with an approach of its own, or one that is not symmetric about x = 0.
+    /// There are several punches, each with an approach of its own, or one that is not symmetric about its tip.
     #[error(
-        "the approach is prescribed or asked for of one punch that is symmetric about x = 0; several have one each"
+        "the approach is prescribed or asked for of one punch that is symmetric about its tip; several have one each"
     )]
     Punches,
     /// The displacement of the top face cannot be computed.

@@ -260,7 +260,7 @@ impl Model {
 /// The half-length of the contact under a punch, or the end of its innermost interval.
 fn half_length(solution: &Solution) -> Measured {
     let interval = solution.contacts().first().map(Contact::innermost).unwrap_or_default();
-    Measured { value: interval.right, error: interval.right_error }
+    Measured { value: interval.right - solution.about().unwrap_or(0.0), error: interval.right_error }
 }
 
 impl Scene {

@@ -102,6 +102,17 @@ fn approach_and_stiffness_do_too() {
 }
 
 #[test]
+fn the_force_of_a_half_length_or_a_depth_is_the_same_anywhere() {
+    let model = on_rigid_base();
+    let punch = Punch::parabola(60.0).unwrap();
+    for drive in [Force::ForHalfLength(0.3), Force::ForDepth(1e-3)] {
+        let [here, there] = [0.0, 30.0].map(|at| model.press(punch_at(&punch, at), drive).unwrap());
+        let allowed = here.force_error() + there.force_error();
+        assert!(is_near(here.force(), there.force(), allowed), "{drive:?}: {} {}", here.force(), there.force());
+    }
+}
+
+#[test]
 fn fields_and_profiles_do_too() {
     let model = on_half_plane();
     for at in [PLACES[0], PLACES[1], 1e5] {

@@ -79,7 +79,7 @@ pub(crate) fn press_to<E: From<ContactError>>(
 fn even_punch(top: &Top, controlled: Controlled) -> Result<&Punch, ContactError> {
     let missing =
         if top.loads().is_some() { ContactError::LoadControlled(controlled) } else { ContactError::UnevenPunch };
-    top.punch().filter(|punch| punch.is_even()).ok_or(missing)
+    top.even_punch().ok_or(missing)
 }
 
 /// What came of a force that was tried.

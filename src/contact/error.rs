@@ -20,7 +20,7 @@ pub enum ContactError {
         geometry: Geometry,
     },
     /// A half-length or a depth of a punch that is not symmetric, or of several.
-    #[error("the punch is not symmetric about x = 0, or is one of several: only forces can be prescribed")]
+    #[error("the punch is not symmetric about its tip, or is one of several: only forces can be prescribed")]
     UnevenPunch,
     /// A punch that is turned so far that one of its sides falls from the tip on, without end.
     #[error(

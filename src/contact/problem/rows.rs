@@ -3,8 +3,7 @@
 //! On x = m + w s, s = cos θ, the tests are polynomials C_k of one family with C_k(1) = 1: in the plane T_k(s) dθ, about an axis P_k(s) sin θ dθ.
 //! What is tested is the slope f', and about an axis A'(t), A(t) = t ∫ f'(r)/√(t² − r²) dr from 0 to t: with r = t sin φ it is ∫ (r f')' dφ from
 //! 0 to π/2. Powers of |x| about x = 0 have closed forms, and so have polynomials in the plane, piece by piece. All else is
-//! integrated by Gauss rules from one place to the next where the profile is not smooth, but for a circle in the plane, which is analytic: all at
-//! once, at places as far from each other in θ.
+//! integrated by Gauss rules from one place to the next where the profile is not smooth; towards the ends of a circle in the plane from one place to another twice as far from there.
 use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -120,15 +119,6 @@ impl PunchProfile<'_> {
             Shape::Powers { .. } if span.step == 2 => {
                 self.powers(span.half).for_each(|(power, slope)| slopes.add_power(power, slope));
             }
-            Shape::Circle(radius) if self.twin == Twin::Plane => {
-                // Chebyshev coefficients fall like ρ^(−k)
-                let ratio = ((radius / self.length - span.middle.abs()) / span.half).max(1.0 + 1e-9);
-                let digits = (20.0 / (ratio + (ratio * ratio - 1.0).sqrt()).ln()).min(20_000.0) as usize;
-                let count = count.min((4 + digits) / span.step);
-                let points = span.step * count + 8 + 2 * digits;
-                let place = |q: usize| self.place(span, PI * (q as f64 + 0.5) / points as f64, PI / points as f64);
-                slopes.add(span.step, count, &(0..points / span.step).map(place).collect::<Vec<_>>());
-            }
             Shape::Pieces { pieces, is_even, .. } if self.twin == Twin::Plane => {
                 let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
                 let mut all = if *is_even && span.step == 1 { mirrored(pieces, half - middle) } else { Vec::new() };
@@ -169,6 +159,12 @@ impl PunchProfile<'_> {
             Shape::Powers { .. } if !self.shape.is_smooth() => {
                 (halves(middle.abs() + half).take(1 + TIP_CELLS).collect(), true)
             }
+            // where a circle ends its slope is infinite: from there twice as far each time
+            Shape::Circle(radius) if self.twin == Twin::Plane => {
+                let nearest = (radius - middle.abs() - half).max(f64::EPSILON * radius);
+                let distances = std::iter::successors(Some(2.0 * nearest), |distance| Some(2.0 * distance));
+                (distances.take_while(|distance| distance < radius).map(|distance| radius - distance).collect(), true)
+            }
             Shape::Powers { .. } | Shape::Circle(_) | Shape::Flat(_) => (Vec::new(), false),
         };
         let left = right.iter().map(|x| -x).filter(|_| is_mirrored);
@@ -187,8 +183,8 @@ impl PunchProfile<'_> {
         let mut places = Vec::new();
         for (index, pair) in ends.windows(2).enumerate() {
             let (to, from) = (pair[0], pair[1]);
-            if let Some(x) = limits.get(index).filter(|x| index > 0 && **x == -limits[index - 1]) {
-                // about the tip
+            let is_about_tip = |x: &&f64| !self.shape.is_smooth() && index > 0 && **x == -limits[index - 1];
+            if let Some(x) = limits.get(index).filter(is_about_tip) {
                 let [right, left] = [*x, -x].map(|x| self.shape.slope(x) / self.force);
                 let theta = (-span.middle / span.half).acos();
                 places.push((theta, 0.5 * (right + left) * (to - from)));
