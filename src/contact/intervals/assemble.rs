@@ -47,12 +47,12 @@ impl Equations<'_> {
         for contact in self.problem.unknown() {
             let columns = &self.columns[contact];
             let first = places[contact].left.1 + places[contact].told.len();
-            for (place, other) in (first..).zip(columns.others()) {
-                let Some(group) = columns.tells_rotation_of(other) else { continue };
+            for (place, other) in (first..).zip(&columns.others) {
+                let Some(group) = columns.tells_rotation_of(*other) else { continue };
                 for (angle, sign) in self.angles_of(contact, group) {
                     for row in self.chain(contact) {
                         let place = places[row].left.1 + place - places[contact].left.1;
-                        system.d[(place, angles + angle)] -= sign * columns.rotation(other);
+                        system.d[(place, angles + angle)] -= sign * columns.rotation(*other);
                     }
                 }
             }

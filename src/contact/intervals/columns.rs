@@ -21,6 +21,12 @@ pub(super) struct Columns<'a> {
     /// What is subtracted from columns, and then from other tests, one after the other, so that only the first ones of a group have a resultant, a
     /// moment or, as a test, a rotation.
     pub(super) subtracted: Vec<Subtracted>,
+    /// The intervals under each punch, or all of them between layers.
+    pub(super) groups: Vec<Range<usize>>,
+    /// The tests that are no columns, group by group.
+    pub(super) others: Vec<Other>,
+    /// Resultants and moments of the terms and then of the singular pressures at the ends; no moments of what is even.
+    pub(super) carried: Vec<Carried>,
 }
 
 /// A test that is no column.
@@ -40,11 +46,23 @@ pub(super) struct Subtracted {
 }
 
 /// Resultant and moment.
-type Carried = [f64; 2];
+pub(super) type Carried = [f64; 2];
 
 impl<'a> Columns<'a> {
     pub(super) fn new(intervals: &'a [ContactInterval], counts: &'a [usize]) -> Self {
-        let mut columns = Self { intervals, counts, subtracted: Vec::new() };
+        let mut next = 0;
+        let groups = intervals.chunk_by(|a, b| a.punch == b.punch).map(|group| {
+            next += group.len();
+            next - group.len()..next
+        });
+        let groups: Vec<Range<usize>> = groups.collect();
+        let others = groups.iter().flat_map(|group| {
+            let beside = group.clone().filter(|number| !intervals[*number].is_even()).map(Other::Mean);
+            beside.chain((group.start..group.end - 1).map(Other::Closing))
+        });
+        let others = others.collect();
+        let (subtracted, carried) = (Vec::new(), carried(intervals, counts));
+        let mut columns = Self { intervals, counts, subtracted, groups, others, carried };
         columns.subtracted = columns.all_subtracted();
         columns
     }
@@ -53,7 +71,7 @@ impl<'a> Columns<'a> {
 impl Columns<'_> {
     /// Whether there are as many columns and tests of each kind as of another contact, the intervals of which are alike.
     pub(super) fn are_like(&self, other: &Self) -> bool {
-        !self.intervals.is_empty() && self.counts == other.counts && self.groups().len() == other.groups().len()
+        !self.intervals.is_empty() && self.counts == other.counts && self.groups.len() == other.groups.len()
     }
 
     /// Number of terms.
@@ -68,7 +86,7 @@ impl Columns<'_> {
 
     /// Number of all tests, and of singular pressures, which are none.
     pub(super) fn rows(&self) -> usize {
-        self.terms() + self.ends() + self.others().len()
+        self.terms() + self.ends() + self.others.len()
     }
 
     /// Number of the first term of an interval.
@@ -91,28 +109,9 @@ impl Columns<'_> {
         self.intervals.iter().any(|interval| interval.parity == Parity::None)
     }
 
-    /// The intervals under each punch, or all of them between layers.
-    pub(super) fn groups(&self) -> Vec<Range<usize>> {
-        let mut next = 0;
-        let groups = self.intervals.chunk_by(|a, b| a.punch == b.punch).map(|group| {
-            next += group.len();
-            next - group.len()..next
-        });
-        groups.collect()
-    }
-
-    /// The tests that are no columns, group by group.
-    pub(super) fn others(&self) -> Vec<Other> {
-        let of = |group: Range<usize>| {
-            let beside = group.clone().filter(|number| !self.intervals[*number].is_even()).map(Other::Mean);
-            beside.chain((group.start..group.end - 1).map(Other::Closing)).collect::<Vec<_>>()
-        };
-        self.groups().into_iter().flat_map(of).collect()
-    }
-
     /// The place of a test that is no column, behind all columns.
     pub(super) fn place(&self, wanted: Other) -> Option<usize> {
-        let place = self.others().iter().position(|other| *other == wanted);
+        let place = self.others.iter().position(|other| *other == wanted);
         place.map(|place| self.terms() + self.ends() + place)
     }
 
@@ -125,27 +124,6 @@ impl Columns<'_> {
     /// The gap between an interval and the next.
     pub(super) fn gap(&self, interval: usize) -> [f64; 2] {
         [self.intervals[interval].to(), self.intervals[interval + 1].from()]
-    }
-
-    /// Resultants and moments of the terms and then of the singular pressures at the ends; no moments of what is even.
-    pub(super) fn carried(&self) -> Vec<Carried> {
-        let moment = |interval: &ContactInterval, arm: f64| {
-            if interval.parity == Parity::None { interval.middle + arm } else { 0.0 }
-        };
-        let term = |(number, m): (usize, usize)| {
-            let interval = &self.intervals[number];
-            match interval.order(m) {
-                1 => [1.0, moment(interval, 0.0)],
-                2 => [0.0, moment(interval, 0.25 * interval.half) - moment(interval, 0.0)],
-                _ => [0.0; 2],
-            }
-        };
-        let terms = (0..self.intervals.len()).flat_map(|number| (0..self.counts[number]).map(move |m| (number, m)));
-        let ends = self.intervals.iter().flat_map(|interval| {
-            let resultant = if interval.is_even() { 2.0 } else { 1.0 };
-            interval.sides().iter().map(move |side| [resultant, moment(interval, 0.5 * side * interval.half)])
-        });
-        terms.map(term).chain(ends).collect()
     }
 
     /// Resultants and moments of tests that are no columns: how long waves exp(iζx) are tested. Without the constant that any rotation makes, of which
@@ -179,7 +157,7 @@ impl Columns<'_> {
     /// The number of the group whose rotation is told by a test: where nothing is even, by the one with k = 0 of the first interval.
     pub(super) fn tells_rotation_of(&self, other: Other) -> Option<usize> {
         let Other::Mean(number) = other else { return None };
-        let group = self.groups().iter().position(|group| group.start == number);
+        let group = self.groups.iter().position(|group| group.start == number);
         group.filter(|_| self.moves())
     }
 
@@ -192,10 +170,10 @@ impl Columns<'_> {
 
     /// See [`Self::subtracted`].
     fn all_subtracted(&self) -> Vec<Subtracted> {
-        let (carried, others) = (self.carried(), self.others());
+        let Self { carried, others, .. } = self;
         let mut all: Vec<Subtracted> = Vec::new();
         for (into, interval) in self.interval_of_columns().into_iter().enumerate() {
-            all.extend(self.subtracted_from(into, interval, carried[into], &carried));
+            all.extend(self.subtracted_from(into, interval, carried[into], carried));
         }
         for (number, other) in others.iter().enumerate().filter(|(_, other)| self.tells_rotation_of(**other).is_none())
         {
@@ -208,7 +186,7 @@ impl Columns<'_> {
                 all.push(Subtracted { into, from, part });
                 own.iter_mut().zip(self.carried_by(head)).for_each(|(own, first)| *own -= part * first);
             }
-            all.extend(self.subtracted_from(into, interval, own, &carried));
+            all.extend(self.subtracted_from(into, interval, own, carried));
         }
         all
     }
@@ -263,4 +241,25 @@ impl Columns<'_> {
         };
         self.intervals.iter().zip(self.counts).map(of).collect()
     }
+}
+
+/// Resultants and moments of the terms and then of the singular pressures at the ends; no moments of what is even.
+fn carried(intervals: &[ContactInterval], counts: &[usize]) -> Vec<Carried> {
+    let moment = |interval: &ContactInterval, arm: f64| {
+        if interval.parity == Parity::None { interval.middle + arm } else { 0.0 }
+    };
+    let term = |(number, m): (usize, usize)| {
+        let interval = &intervals[number];
+        match interval.order(m) {
+            1 => [1.0, moment(interval, 0.0)],
+            2 => [0.0, moment(interval, 0.25 * interval.half) - moment(interval, 0.0)],
+            _ => [0.0; 2],
+        }
+    };
+    let terms = (0..intervals.len()).flat_map(|number| (0..counts[number]).map(move |m| (number, m)));
+    let ends = intervals.iter().flat_map(|interval| {
+        let resultant = if interval.is_even() { 2.0 } else { 1.0 };
+        interval.sides().iter().map(move |side| [resultant, moment(interval, 0.5 * side * interval.half)])
+    });
+    terms.map(term).chain(ends).collect()
 }

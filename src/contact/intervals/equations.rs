@@ -144,7 +144,7 @@ impl<'a> Equations<'a> {
             let is_told = |term: usize| told.iter().any(|told| told.column == term);
             let terms: Vec<usize> = (0..columns.terms()).filter(|term| !is_told(*term)).collect();
             let first = columns.terms() + columns.ends();
-            let others = first..first + columns.others().len();
+            let others = first..first + columns.others.len();
             let of_told = told.iter().map(|told| told.column).filter(|_| !columns.intervals.is_empty());
             let left: Vec<usize> = of_told.chain(others).collect();
             let next = (term + terms.len(), end + columns.ends(), row + left.len());
@@ -161,10 +161,10 @@ impl<'a> Equations<'a> {
         if self.problem.is_known(contact) {
             return vec![Told { column: 0, known: 1.0, by_moments: vec![0.0; self.free.len()] }];
         }
-        let (carried, groups) = (columns.carried(), self.problem.groups(contact));
+        let (carried, groups) = (&columns.carried, self.problem.groups(contact));
         // an unknown moment is the one about the middle of the first interval
         let above = |group: &usize| {
-            let first = self.columns[0].groups()[*group].start;
+            let first = self.columns[0].groups[*group].start;
             self.problem.groups(0)[*group].share * self.columns[0].intervals[first].middle
         };
         let of = |(number, group): (usize, Range<usize>)| {
@@ -180,7 +180,7 @@ impl<'a> Equations<'a> {
             });
             std::iter::once(resultant).chain(moment)
         };
-        columns.groups().into_iter().enumerate().flat_map(of).collect()
+        columns.groups.iter().cloned().enumerate().flat_map(of).collect()
     }
 
     /// The places of the unknown terms that are among the first ones of each interval, as many as `counts` says.

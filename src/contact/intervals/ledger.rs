@@ -41,7 +41,7 @@ impl Equations<'_> {
             let told = places.told.len();
             let corners = columns.intervals.iter().flat_map(|own| own.sides().iter().map(|side| own.is_corner(*side)));
             let free_ends = corners.filter(|is_corner| !is_corner).count();
-            let means = columns.others().iter().filter(|other| matches!(other, Other::Mean(_))).count();
+            let means = columns.others.iter().filter(|other| matches!(other, Other::Mean(_))).count();
             let turning = self.turning.iter().filter(|(own, _)| *own == contact).count();
             let free = if contact == 0 { self.free.len() } else { 0 };
             let entry = |(kind, count)| LedgerEntry { interface, kind, count };

@@ -39,13 +39,13 @@ impl InSpace<'_> {
 impl Columns<'_> {
     /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests.
     pub(super) fn in_space<'a>(&self, exponentials: &[[f64; 2]], amplitudes: Option<&'a [f64]>) -> InSpace<'a> {
-        let (terms, ends, others) = (self.terms(), self.ends(), self.others());
+        let (terms, ends, others) = (self.terms(), self.ends(), &self.others);
         let columns = if amplitudes.is_some() { 1 } else { terms + ends };
         let mut space = InSpace { matrix: Mat::zeros(self.rows(), columns), amplitudes };
         for number in 0..self.intervals.len() {
             self.add_of_interval(&mut space, exponentials, number);
         }
-        for (row, other) in (terms + ends..).zip(&others) {
+        for (row, other) in (terms + ends..).zip(others) {
             let Other::Closing(number) = *other else { continue };
             let [from, to] = self.gap(number);
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));

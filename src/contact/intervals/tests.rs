@@ -269,7 +269,7 @@ fn long_waves_are_felt_through_resultants_and_moments() {
     let columns = Columns::new(&intervals, &[6, 4]);
     let zeta = [1e-5, 2e-5];
     let waves = columns.waves(&zeta, &Arc::default());
-    let carried = columns.carried().len();
+    let carried = columns.carried.len();
     for column in 0..carried {
         // the square of the wavenumber, or the cube, is the first power left of the transform
         for (part, power) in [(0, 3), (1, 4)] {

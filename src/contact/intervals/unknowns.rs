@@ -53,7 +53,7 @@ impl Equations<'_> {
             self.angles_of(contact, group).into_iter().map(|(angle, sign)| sign * angles[angle]).sum()
         };
         let of_contact = |(contact, columns): (usize, &Columns)| {
-            (0..columns.groups().len()).map(|group| rotation(contact, group)).collect()
+            (0..columns.groups.len()).map(|group| rotation(contact, group)).collect()
         };
         let rotations = self.columns.iter().enumerate().map(of_contact).collect();
         let (moments, angles) = (moments.to_vec(), angles.to_vec());
@@ -116,10 +116,10 @@ impl Equations<'_> {
         let matrix = self.in_space(contact, Some(&as_they_are))?.matrix;
         let pressed = self.load(contact).iter().zip(matrix.col_as_slice(0));
         rows.iter_mut().zip(pressed).for_each(|(row, (load, pressed))| *row += load - limit * pressed);
-        for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(columns.others()) {
-            let Some(group) = columns.tells_rotation_of(other) else { continue };
+        for (row, other) in rows[columns.terms() + columns.ends()..].iter_mut().zip(&columns.others) {
+            let Some(group) = columns.tells_rotation_of(*other) else { continue };
             let turned: f64 = self.angles_of(contact, group).iter().map(|(angle, sign)| sign * angles[*angle]).sum();
-            *row += turned * columns.rotation(other);
+            *row += turned * columns.rotation(*other);
         }
         Some(())
     }

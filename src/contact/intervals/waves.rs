@@ -25,12 +25,12 @@ impl Columns<'_> {
     /// All columns at some wavenumbers: terms, singular pressures at ends, other tests; what resultants, moments and rotations do to long waves left out.
     pub(super) fn waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Samples {
         let (terms, ends, nodes) = (self.terms(), self.ends(), zeta.len());
-        let others = self.others();
+        let others = &self.others;
         let mut all = Samples::new(self.parts() * nodes, terms + ends + others.len(), workspace);
         for number in 0..self.intervals.len() {
             self.put_waves(&mut all, number, zeta, workspace);
         }
-        for (place, other) in (terms + ends..).zip(&others) {
+        for (place, other) in (terms + ends..).zip(others) {
             if let Other::Closing(number) = *other {
                 let [from, to] = self.gap(number);
                 let ([resultant, moment], rotation) = (self.carried_by(*other), self.rotation(*other));
@@ -132,7 +132,7 @@ impl Columns<'_> {
     /// What [`Self::waves`] leaves out, with the columns it belongs to: resultants and moments of the first ones, and rotations of the tests that tell
     /// them.
     pub(super) fn long_waves(&self, zeta: &[f64], workspace: &Arc<Workspace>) -> Long {
-        let (carried, others, places) = (self.carried(), self.others(), self.told());
+        let (carried, others, places) = (&self.carried, &self.others, self.told());
         let mut values = Samples::new(self.parts() * zeta.len(), places.len(), workspace);
         for (number, place) in places.iter().enumerate() {
             let ([resultant, moment], rotation) = match place.checked_sub(carried.len()) {
@@ -148,11 +148,11 @@ impl Columns<'_> {
 
     /// The columns and tests that tell resultants, moments and rotations.
     pub(super) fn told(&self) -> Vec<usize> {
-        let first = self.groups().into_iter().map(|group| self.first(group.start));
+        let first = self.groups.iter().map(|group| self.first(group.start));
         let first = first.flat_map(|first| first..=first + usize::from(self.moves()));
         let carried = self.terms() + self.ends();
-        let others = self.others().into_iter().enumerate();
-        let others = others.filter(|(_, other)| self.tells_rotation_of(*other).is_some());
+        let others = self.others.iter().enumerate();
+        let others = others.filter(|(_, other)| self.tells_rotation_of(**other).is_some());
         first.chain(others.map(|(number, _)| carried + number)).collect()
     }
 }

@@ -7,7 +7,7 @@ const LONG: f64 = 0.5;
 /// So long calls are timed together: looking at the clock takes time, too, and it goes in ticks of the scheduler.
 const TOGETHER: f64 = 0.02;
 
-/// The median time of a call, in seconds, and what it returned last.
+/// The mean time of a call, in seconds, and what it returned last.
 pub fn time<T>(mut call: impl FnMut() -> T) -> (f64, T) {
     // the first call may prepare what the others use
     let first = now();
@@ -15,20 +15,19 @@ pub fn time<T>(mut call: impl FnMut() -> T) -> (f64, T) {
     if now() - first > LONG {
         return (now() - first, result);
     }
-    let (begin, once) = (now(), Instant::now());
+    let once = Instant::now();
     drop(std::hint::black_box(call()));
+    let begin = now();
     let calls = (TOGETHER / once.elapsed().as_secs_f64()).ceil().clamp(1.0, 1e4);
-    let mut times = Vec::new();
+    let mut count = 0.0;
     loop {
-        let start = now();
         for _ in 0..calls as usize {
             result = std::hint::black_box(call());
         }
-        let end = now();
-        times.push((end - start) / calls);
-        if end - begin > LONG {
-            times.sort_by(f64::total_cmp);
-            return (times[times.len() / 2], result);
+        count += calls;
+        let spent = now() - begin;
+        if spent > LONG {
+            return (spent / count, result);
         }
     }
 }
