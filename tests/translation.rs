@@ -133,6 +133,18 @@ fn fields_and_profiles_do_too() {
                     assert!(is_near(own, moved, allowed), "{} ({x}, {depth}): {own} {moved}", tops[1]);
                 }
             }
+            let [own, moved] = fields.each_ref().map(|field| field.max_shear().unwrap());
+            assert!(is_near(own.value, moved.value, 1e-6 * own.value), "{}: {own:?} {moved:?}", tops[1]);
+            assert!(is_near(own.x, moved.x - at, 2e-2) && is_near(own.depth, moved.depth, 2e-2), "{own:?} {moved:?}");
+            let stresses = |field: &recede::Field| {
+                let extremes = field.extremes().unwrap();
+                let layers = extremes.layers.iter().filter_map(|layer| layer.von_mises);
+                layers.chain(extremes.tension).map(|found| (found.value, found.x)).collect::<Vec<_>>()
+            };
+            for ((value, x), (moved, place)) in stresses(&fields[0]).into_iter().zip(stresses(&fields[1])) {
+                assert!(is_near(value, moved, 1e-6 * value), "{}: {value} {moved}", tops[1]);
+                assert!(is_near(x, place - at, 2e-2), "{}: {x} {place}", tops[1]);
+            }
             let [own, moved] = [&here, &there].map(|solution| profile_places(solution, None, 40));
             assert_eq!(own.len(), moved.len());
             assert!(own.iter().zip(&moved).all(|(own, moved)| is_near(*own, moved - at, 1e-13 * (1.0 + at.abs()))));

@@ -110,7 +110,7 @@ impl Field {
         let layers = body::layers(stack);
         let (is_even, middle) = (solution.about().is_some(), solution.about().unwrap_or(0.0));
         let contacts: Vec<Contact> = solution.contacts().iter().map(|contact| contact.clone().moved(-middle)).collect();
-        let pressure = |contact: &Contact| ContactPressure::new(contact, is_even);
+        let pressure = |contact: &Contact| ContactPressure::new(contact, is_even, middle.abs());
         let pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         let stiffnesses = |placed: &PlacedLayer| {
             let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
@@ -194,8 +194,9 @@ impl Field {
     pub fn points(&self, requested: &[Point]) -> Result<Vec<FieldPoint>, FieldError> {
         let row = |(set, point): (usize, &Point)| self.row(point, set);
         let rows: Vec<DepthRow> = requested.iter().enumerate().map(row).collect::<Result<_, _>>()?;
-        let sets: Vec<Vec<f64>> = requested.iter().map(|point| vec![point.x]).collect();
-        Ok(self.at_places(&rows, &sets, &waves::FULL)?.concat())
+        let sets: Vec<Vec<f64>> = requested.iter().map(|point| vec![point.x - self.middle]).collect();
+        let found = self.at_places(&rows, &sets, &waves::FULL)?.concat();
+        Ok(found.into_iter().zip(requested).map(|(found, Point { x, .. })| FieldPoint { x: *x, ..found }).collect())
     }
 
     /// Stresses and displacements on a grid, row by row from the first depth on.
@@ -267,11 +268,15 @@ impl Field {
     ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
         match xs.iter().find(|x| !x.is_finite()) {
             Some(x) => Err(self.outside(&Point { x: *x, depth: 0.0, layer: None })),
-            None => self.at_places(rows, &[xs.to_vec()], precision),
+            None => {
+                let mut found = self.at_places(rows, &[xs.iter().map(|x| x - self.middle).collect()], precision)?;
+                found.iter_mut().for_each(|row| row.iter_mut().zip(xs).for_each(|(point, x)| point.x = *x));
+                Ok(found)
+            }
         }
     }
 
-    /// Points in rows, each at a set of places along x.
+    /// Points in rows, each at a set of places that are counted from the middle.
     fn at_places(
         &self,
         rows: &[DepthRow],
@@ -280,10 +285,10 @@ impl Field {
     ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
         // in an even field places on both sides of the middle share their tables
         let distinct = |xs: &Vec<f64>| {
-            let mut places: Vec<f64> = xs.iter().map(|x| self.place(*x)).collect();
+            let mut places: Vec<f64> = xs.iter().map(|x| self.folded(*x)).collect();
             places.sort_by(f64::total_cmp);
             places.dedup();
-            let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < self.place(*x))).collect();
+            let of: Vec<usize> = xs.iter().map(|x| places.partition_point(|place| *place < self.folded(*x))).collect();
             (places, of)
         };
         let (places, of): (Vec<_>, Vec<_>) = sets.iter().map(distinct).unzip();
@@ -309,7 +314,7 @@ impl Field {
         let known: Vec<DepthRow> = self.bodies.iter().filter_map(|body| body.reference).collect();
         let mut values = self.sum(&known, &[vec![self.place(0.0)]], precision)?.into_iter().zip(&known);
         let displacements = |(values, row): (Vec<Components>, &DepthRow)| {
-            let point = self.point(0.0, row, values[0]);
+            let point = self.point(-self.middle, row, values[0]);
             [point.u, point.v]
         };
         let of = |body: &LoadedBody| body.reference.and_then(|_| values.next()).map_or([0.0; 2], displacements);

@@ -229,15 +229,15 @@ impl Grid {
 }
 
 impl Field {
-    /// A point from the components at its place, which is its distance from the middle in an even field.
+    /// A point from the components at its place, x from the middle.
     pub(super) fn point(&self, x: f64, row: &DepthRow, components: Components) -> FieldPoint {
         let placed = &self.layers[row.layer];
         let [sigma_xx, sigma_yy, mut sigma_xy, mut u, v, mut slope] = components;
         let material = placed.layer.material(row.depth, self.geometry.plane());
-        if x < self.middle && self.is_even {
+        if x < 0.0 && self.is_even {
             (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
-        let strains = self.geometry.is_axisymmetric().then(|| strains(&material, self.place(x), &components));
+        let strains = self.geometry.is_axisymmetric().then(|| strains(&material, x.abs(), &components));
         let [sigma_xx, sigma_zz] = match self.geometry {
             Geometry::Axisymmetric => around(&material, sigma_xx, strains.unwrap_or_default()),
             Geometry::PlaneStrain => {
@@ -247,7 +247,7 @@ impl Field {
             Geometry::PlaneStress => [sigma_xx, 0.0],
         };
         FieldPoint {
-            x,
+            x: self.middle + x,
             depth: placed.top + row.depth,
             layer: placed.number,
             u,

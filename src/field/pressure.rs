@@ -26,11 +26,13 @@ pub(super) struct ContactPressure {
     /// Whether these are the ends of all strips; the others are taken as smooth.
     is_whole: bool,
     is_even: bool,
+    /// How far the middle is from x = 0: places in the scene have as many digits as that leaves.
+    far: f64,
 }
 
 impl ContactPressure {
-    /// The pressure of a contact, which is even if `is_even`.
-    pub(super) fn new(contact: &Contact, is_even: bool) -> Self {
+    /// The pressure of a contact, which is even if `is_even`, with places that are counted from a middle so far from x = 0.
+    pub(super) fn new(contact: &Contact, is_even: bool, far: f64) -> Self {
         let strips = || contact.strips.iter().filter(|strip| !is_even || strip.at >= 0.0);
         let end = |strip: &Strip| strip.at.abs() + strip.extent;
         let half_length = strips().map(end).fold(0.0, f64::max);
@@ -41,7 +43,7 @@ impl ContactPressure {
         let is_whole = lists[0].len() <= APART;
         let chosen = lists.into_iter().find(|list| list.len() <= APART).unwrap_or_default();
         let strips = strips().map(TabulatedStrip::new).collect();
-        let mut pressure = Self { half_length, strips, ends: Vec::new(), is_whole, is_even };
+        let mut pressure = Self { half_length, strips, ends: Vec::new(), is_whole, is_even, far };
         pressure.ends = chosen.into_iter().flatten().map(|end| pressure.place(end)).collect();
         pressure.ends.sort_by(f64::total_cmp);
         pressure.ends.dedup_by(|next, end| *next - *end <= AT * half_length);
@@ -66,7 +68,7 @@ impl ContactPressure {
     /// The ends; where the pressure ends abruptly, next to them on both sides, at which stresses are the limits from there.
     pub(super) fn sides(&self) -> impl Iterator<Item = f64> {
         self.ends.iter().flat_map(|end| match self.ending(*end, Strip::is_abrupt) {
-            Some(strip) => [-2.0, 2.0].map(|side| end + side * AT * strip.extent.max(end.abs())),
+            Some(strip) => [-2.0, 2.0].map(|side| end + side * AT * strip.extent.max(end.abs() + self.far)),
             None => [*end; 2],
         })
     }
@@ -93,7 +95,7 @@ impl ContactPressure {
 
     /// The strongest singularity of stresses on the face at a place.
     pub(super) fn singularity(&self, x: f64) -> Option<Singularity> {
-        let here = self.singular_points().filter(|(at, _)| (self.place(x) - at).abs() <= AT * at.abs());
+        let here = self.singular_points().filter(|(at, _)| (self.place(x) - at).abs() <= AT * (at.abs() + self.far));
         here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
     }
 

@@ -172,7 +172,7 @@ fn next_to(field: &Field, measure: Measure, x: f64, distance: f64) -> (f64, f64)
         let (sin, cos) = (PI * f64::from(k) / f64::from(DIRECTIONS)).sin_cos();
         let row = DepthRow { layer: 0, depth: distance * sin, set: 0 };
         let x = field.folded(x + distance * cos);
-        let point = field.point(field.middle + x, &row, *field.closed(&row, &[x], false).first()?);
+        let point = field.point(x, &row, *field.closed(&row, &[x], false).first()?);
         let size = [point.sigma_xx, point.sigma_yy, point.sigma_xy].into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         Some((measure.of(&point), size))
     };
