@@ -101,13 +101,15 @@ fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), Stri
     step("profile", write_profile(&profile, &mut Vec::new()))
 }
 
-/// The grid: places along x and depths.
+/// The grid: places about the middle of what touches, and depths.
 fn grid(solution: &Solution, field: &Field) -> [Vec<f64>; 2] {
     let bottom = field.layers().last().map_or(0.0, |(_, [_, to])| to);
     // a line load by itself has no length, nor has a half-plane: any will do
-    let length = solution.extent().unwrap_or(if bottom.is_finite() { bottom } else { 1.0 });
+    let [left, right] = solution.ends();
+    let half = Some(0.5 * (right - left)).filter(|half| *half > 0.0);
+    let length = half.unwrap_or(if bottom.is_finite() { bottom } else { 1.0 });
     let deepest = bottom.min(DEPTH * length);
-    [ALONG.map(|part| part * length).to_vec(), DOWN.map(|part| part * deepest).to_vec()]
+    [ALONG.map(|part| 0.5 * (left + right) + part * length).to_vec(), DOWN.map(|part| part * deepest).to_vec()]
 }
 
 /// No stress on a grid is larger than the largest.

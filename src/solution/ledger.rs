@@ -34,17 +34,10 @@ pub struct LedgerEntry {
     pub count: usize,
 }
 
-impl Ledger {
-    /// How many unknowns there are, and how many rows.
-    pub(crate) fn sizes(&self) -> [usize; 2] {
-        [&self.unknowns, &self.rows].map(|entries| entries.iter().map(|entry| entry.count).sum())
-    }
-}
-
 impl fmt::Display for Ledger {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [unknowns, rows] = self.sizes();
-        writeln!(f, "{unknowns} unknowns for {rows} rows")?;
+        let count = |entries: &[LedgerEntry]| entries.iter().map(|entry| entry.count).sum::<usize>();
+        writeln!(f, "{} unknowns for {} rows", count(&self.unknowns), count(&self.rows))?;
         for (title, entries) in [("unknowns", &self.unknowns), ("rows", &self.rows)] {
             writeln!(f, "\n{title}")?;
             for LedgerEntry { interface, kind, count } in entries {
