@@ -10,26 +10,24 @@
 //! The stiffness is dP/dδ. Contact pressures vanish at the ends of their contacts, so that to first order the contacts stay as long as they
 //! are while the force grows: the derivative of the pressures with respect to the force is the pressure of a flat punch, and of layers that are
 //! joined, on contacts of these half-lengths.
-use crate::contact::{self, ContactError, Measured};
-use crate::field::{FLAT, Field, FieldError, MeanWindow};
-use crate::geometry::Geometry;
+use std::borrow::Cow;
+
+use crate::contact::{self, ContactError};
+use crate::field::{Field, FieldError, variations};
 use crate::kernel::Kernel;
-use crate::numeric::quadrature;
+use crate::numeric::means::MeanWindow;
 use crate::scene::{Pressed, Punch, Punches, Top};
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 
-/// Gauss points for the mean of a piece of a profile.
-const NODES: usize = 48;
 /// Displacements are looked at so far from the middle of a contact under one of several punches, in half-lengths.
 const PLACE: f64 = 0.3;
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
-/// Contacts above and below a layer are averaged over the same length where the binary logarithms of their half-lengths differ by less than this: a layer much thinner
-/// than these bends so easily that errors of pressures move both of its faces by far more than they bring them together.
-const ALIKE: f64 = 1.0;
 /// Relative error of a sum over wavenumbers.
 const ROUNDING: f64 = 1e-12;
+/// Waves of which no mean has more than this are left out.
+const NEGLIGIBLE: f64 = 1e-13;
 
 /// How far a punch has sunk into a stack since it touched it first, and the stiffness there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -164,15 +162,6 @@ fn tip(pressed: &Pressed, tilt: f64, contact: &Contact, field: &Field) -> Result
     Ok([0.5 * (left + right), (left - right).abs()])
 }
 
-/// The approach alone, with its error.
-pub(crate) fn depth(top: &Top, stack: &Stack, solution: &Solution) -> Result<Measured, ApproachError> {
-    let punch = defined(top, stack)?;
-    let lowest = punch.shape().lowest();
-    let [value, second] = sunk(|x| punch.profile(x) - lowest, punch, stack, solution)?;
-    let relative = ROUNDING + relative_error(solution, true);
-    Ok(Measured { value, error: SAFETY * ((value - second).abs() + relative * value.abs()) })
-}
-
 /// The approach and the stiffness.
 pub(crate) fn approach(
     top: &Top,
@@ -181,7 +170,10 @@ pub(crate) fn approach(
     solution: &Solution,
 ) -> Result<Approach, ApproachError> {
     let punch = defined(top, stack)?;
-    let Measured { value, error } = depth(top, stack, solution)?;
+    let lowest = punch.shape().lowest();
+    let [value, second] = sunk(|x| punch.profile(x) - lowest, punch, kernel, solution);
+    let relative = ROUNDING + relative_error(solution, true);
+    let error = SAFETY * ((value - second).abs() + relative * value.abs());
     let stiffness = match contact::tangent(kernel, top, solution) {
         Some(Ok(tangent)) => stiffness(punch, stack, kernel, solution, &tangent)?,
         Some(Err(ContactError::Unresolved(cause))) => return Err(FieldError::Unresolved(cause).into()),
@@ -198,7 +190,7 @@ fn stiffness(
     solution: &Solution,
     tangent: &Solution,
 ) -> Result<Stiffness, ApproachError> {
-    let [compliance, second] = sunk(|_| 0.0, punch, stack, tangent)?;
+    let [compliance, second] = sunk(|_| 0.0, punch, kernel, tangent);
     let contacts = solution.contacts().iter().zip(tangent.contacts()).enumerate();
     // an end that moves by da changes the compliance by 2πa q²/E* da, with the singular pressure q/√(1 − x²/a²): the energy release
     // rate of a crack that closes
@@ -230,46 +222,30 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
 
 /// How far a punch has sunk into the top face, twice: with two means over the middle of each contact. They differ by the errors of the
 /// pressures.
-fn sunk(
-    profile: impl Fn(f64) -> f64,
-    punch: &Punch,
-    stack: &Stack,
-    solution: &Solution,
-) -> Result<[f64; 2], FieldError> {
-    // places count from the tip
-    let tip = solution.about().unwrap_or(0.0);
+fn sunk(profile: impl Fn(f64) -> f64, punch: &Punch, kernel: &Kernel, solution: &Solution) -> [f64; 2] {
+    let kernel =
+        punch.material().map_or(Cow::Borrowed(kernel), |material| Cow::Owned(kernel.under_half_plane(&material)));
+    // places count from the tip, in units of L
+    let (tip, length) = (solution.about().unwrap_or(0.0), kernel.length());
     let window = |contact: &Contact| {
         let [middle, _] = contact.touching();
-        MeanWindow { middle: middle - tip, half: contact.innermost().right - middle }
+        MeanWindow { middle: (middle - tip) / length, half: (contact.innermost().right - middle) / length }
     };
     let mut windows: Vec<MeanWindow> = solution.contacts().iter().map(window).collect();
-    for alike in windows.chunk_by_mut(|a, b| a.middle == b.middle && (a.half / b.half).log2().abs() < ALIKE) {
-        let least = alike.iter().fold(f64::INFINITY, |least, window| least.min(window.half));
-        alike.iter_mut().for_each(|window| window.half = least);
-    }
-    let height =
-        windows.first().map_or([0.0; 2], |window| mean(profile, &punch.shape().starts(), window, stack.geometry()));
-    let apart = Field::new(stack, solution).apart(&windows, punch.material().as_ref())?;
-    Ok([height[0] + apart[0], height[1] + apart[1]])
-}
-
-/// The means of a profile, with Gauss points between the places where its pieces begin.
-fn mean(profile: impl Fn(f64) -> f64, starts: &[f64], window: &MeanWindow, geometry: Geometry) -> [f64; 2] {
-    // the other half of an interval about x = 0 is its mirror image
-    let first = if window.middle == 0.0 { 0.0 } else { -1.0 };
-    let mut ends: Vec<f64> = starts.iter().map(|start| (start - window.middle) / window.half).collect();
-    ends.retain(|t| *t > first && *t < 1.0);
-    ends.insert(0, first);
-    ends.push(1.0);
-    let [mut sums, mut weights] = [[0.0; 2]; 2];
-    for (t, weight) in ends.windows(2).flat_map(|pair| quadrature::rule(NODES).on(pair[0], pair[1])) {
-        let x = window.middle + window.half * t;
-        let around = if geometry.is_axisymmetric() { x } else { 1.0 };
-        let weight = weight * around * (1.0 - t * t).powi(FLAT as i32);
-        for (k, weight) in [weight, weight * t * t].into_iter().enumerate() {
-            sums[k] += weight * profile(x);
-            weights[k] += weight;
+    MeanWindow::equalise(&mut windows);
+    let ends: Vec<f64> = solution.contacts().iter().map(|contact| contact.half_span() / length).collect();
+    let is_round = kernel.geometry().is_axisymmetric();
+    let starts: Vec<f64> = punch.shape().starts().iter().map(|start| start / length).collect();
+    let mut sunk = windows.first().map_or([0.0; 2], |top| top.of_profile(is_round, |x| profile(x * length), &starts));
+    let unit = kernel.modulus() * if is_round { length } else { 1.0 };
+    kernel.depth(&windows, &ends, NEGLIGIBLE, |own| {
+        let wavenumbers: Vec<f64> = own.zeta.iter().map(|zeta| zeta / length).collect();
+        let (resultant, variations) = variations(&solution.contacts()[own.contact], tip, &wavenumbers);
+        for (mean, sunk) in sunk.iter_mut().enumerate() {
+            let weights = own.all[mean].iter().zip(&own.resultant[mean]).zip(own.zeta);
+            let all = weights.zip(&variations).map(|(((all, of), zeta), own)| zeta * (all * own + of * resultant));
+            *sunk += all.sum::<f64>() / unit;
         }
-    }
-    [sums[0] / weights[0], sums[1] / weights[1]]
+    });
+    sunk
 }

@@ -90,7 +90,7 @@ mod validity;
 pub use approach::{Approach, ApproachError, Stiffness};
 pub use axis::{Axis, AxisError};
 pub use collocation::Collocated;
-pub use contact::{ContactError, Controlled, NoSolution};
+pub use contact::{ContactError, NoSolution};
 pub use errors::Error;
 pub use field::{
     BondExtremes, Extreme, Extremes, FaceSide, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes,
@@ -112,7 +112,7 @@ pub use scene::{
     Punch, Punches, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
 };
 pub use solution::{
-    Carried, Contact, Interface, Interval, Ledger, LedgerEntry, Peak, Solution, Stats, Warning, WarningCode,
+    Carried, Contact, Controlled, Interface, Interval, Ledger, LedgerEntry, Peak, Solution, Stats, Warning, WarningCode,
 };
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,

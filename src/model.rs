@@ -3,14 +3,14 @@ use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
 use crate::collocation::{self, Collocated};
-use crate::contact::{self, Asked, Controlled, Curves, Measured, NoSolution};
+use crate::contact::{self, Asked, Curves, NoSolution};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Scene, Top};
-use crate::solution::{Contact, Interface, Ledger, OwnerKey, Solution};
+use crate::solution::{Interface, Ledger, OwnerKey, Solution};
 use crate::stack::Stack;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
@@ -102,24 +102,14 @@ impl Model {
         asked.is_solvable()?;
         // given loads alone ask for no contact
         let is_known = top.loads().is_some() && self.kernel.contacts() == 1;
-        let to = |tolerance: f64, force: f64| contact::press(&Asked { tolerance, ..asked }, force);
-        let press = |tolerance: f64, force: f64| match self.curves.as_ref().filter(|_| !is_known) {
-            // solutions between which others are interpolated have all digits
-            Some(curves) => curves.press(top, options.tolerance, force, to),
-            None => to(tolerance, force),
-        };
-        match force {
-            Force::Given(force) => Ok(press(options.tolerance, force)?),
-            Force::ForHalfLength(wanted) => {
-                let wanted = (Controlled::HalfLength, wanted);
-                contact::press_to(&self.kernel, top, wanted, options, press, |found| Ok::<_, Error>(half_length(found)))
-            }
-            Force::ForDepth(wanted) => {
-                approach::defined(top, &self.stack)?;
-                let depth = |found: &Solution| Ok::<_, Error>(approach::depth(top, &self.stack, found)?);
-                contact::press_to(&self.kernel, top, (Controlled::Approach, wanted), options, press, depth)
-            }
+        if let Force::ForDepth(_) = force {
+            approach::defined(top, &self.stack)?;
         }
+        let press = |tolerance: f64, force: Force| contact::press(&Asked { tolerance, ..asked }, force);
+        Ok(match self.curves.as_ref().filter(|_| !is_known) {
+            Some(curves) => curves.press(top, options.tolerance, force, press),
+            None => press(options.tolerance, force),
+        }?)
     }
 
     /// The question for the solver, without the force.
@@ -255,12 +245,6 @@ impl Model {
             Err(error) => vec![Err(error.into())],
         }
     }
-}
-
-/// The half-length of the contact under a punch, or the end of its innermost interval.
-fn half_length(solution: &Solution) -> Measured {
-    let interval = solution.contacts().first().map(Contact::innermost).unwrap_or_default();
-    Measured { value: interval.right - solution.about().unwrap_or(0.0), error: interval.right_error }
 }
 
 impl Scene {

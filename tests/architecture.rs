@@ -56,7 +56,7 @@ const ROOMS: [&str; 11] = [
     "starts",
     "tangent",
     "thin",
-    "controlled",
+    "prescribed",
     "interpolation",
 ];
 

@@ -55,6 +55,19 @@ fn as_many_rows_as_unknowns_wherever_punches_and_loads_are() {
 }
 
 #[test]
+fn a_force_that_is_to_be_found_is_an_unknown() {
+    for (what, moving) in [("force: 1e-3", 3), ("half_length: 0.1", 2), ("depth: 1e-3", 3)] {
+        let base = LOOSE.replace("HalfPlane(shear_modulus: 1.0, poisson: 0.25)", "Rigid");
+        let text = format!("Scene(geometry: PlaneStrain, punch: Parabola(radius: 50.0), {what}, {base})");
+        let ledger = ledger(&Scene::from_ron(&text).unwrap());
+        let count =
+            |kind: &str| ledger.unknowns.iter().filter(|own| own.kind.contains(kind)).map(|own| own.count).sum();
+        let (forces, places): (usize, usize) = (count("force of the punch"), count("places"));
+        assert_eq!((forces, places), (usize::from(!what.starts_with("force")), moving), "{what}: {ledger}");
+    }
+}
+
+#[test]
 fn ends_at_the_corners_of_a_flat_punch_do_not_move() {
     let scene = "Scene(geometry: PlaneStrain, punch: Flat(half_width: 0.3), force: 0.001, ";
     let ledger = ledger(&Scene::from_ron(&format!("{scene}{LOOSE})")).unwrap());

@@ -1,7 +1,7 @@
 //! What was found of all contacts, in units of L and P', and the one assembly of a solution, in the units of the scene.
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
-use crate::contact::problem::{Problem, Side};
+use crate::contact::problem::{Prescribed, Problem, Side};
 use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Warning};
 use crate::validity;
 
@@ -9,6 +9,8 @@ use crate::validity;
 pub(crate) struct Answer {
     /// From the top down, without those whose pressure is given: lengths in units of L, pressures in units of μ₀P'.
     pub(crate) contacts: Vec<Contact>,
+    /// The force over the one that is given or expected, and its error.
+    pub(crate) force: [f64; 2],
     /// Smallest pressure inside and smallest gap outside the contacts, the latter per unit of P'.
     pub(crate) min_pressure: f64,
     pub(crate) min_gap: f64,
@@ -24,11 +26,12 @@ impl Answer {
     pub(crate) fn known(problem: &Problem) -> Self {
         let stats = Stats { modes: vec![1; problem.contacts()], ..problem.kernel.stats() };
         let (contacts, rotations, warnings) = (Vec::new(), Vec::new(), Vec::new());
-        Self { contacts, min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings }
+        Self { contacts, force: [1.0, 0.0], min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings }
     }
 
-    /// The solution in the units of the scene, under a force in these units, for a stack.
-    pub(crate) fn into_solution(self, problem: &Problem, force: f64, stack: Option<&OwnerKey>) -> Solution {
+    /// The solution in the units of the scene, under a force that is given or expected, for a stack.
+    pub(crate) fn into_solution(self, problem: &Problem, expected: f64, stack: Option<&OwnerKey>) -> Solution {
+        let [force, force_error] = self.force.map(|part| part * expected);
         let (length, unit) = (problem.kernel.length(), problem.kernel.modulus() * problem.force);
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
@@ -67,7 +70,8 @@ impl Answer {
             rotations,
             stack: stack.cloned(),
             force,
-            force_error: 0.0,
+            force_error,
+            controlled: problem.prescribed.map(Prescribed::controlled),
             min_pressure: self.min_pressure * unit,
             min_gap: self.min_gap * problem.force * length,
             stats: self.stats,

@@ -1,5 +1,6 @@
 //! Why a contact problem has no solution that could be found.
 use crate::geometry::Geometry;
+use crate::solution::Controlled;
 use crate::system::Unresolved;
 
 /// Why a contact problem was not solved.
@@ -77,34 +78,6 @@ impl ContactError {
     }
 }
 
-/// What is prescribed in place of a force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Controlled {
-    /// The half-length of the contact under the punch.
-    HalfLength,
-    /// The approach of the punch: how far it sinks.
-    Approach,
-}
-
-impl Controlled {
-    /// The name of the field of a scene that says it.
-    fn field(self) -> &'static str {
-        match self {
-            Self::HalfLength => "half_length",
-            Self::Approach => "depth",
-        }
-    }
-}
-
-impl std::fmt::Display for Controlled {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::HalfLength => "`half_length` of the contact under the punch",
-            Self::Approach => "approach of the punch",
-        })
-    }
-}
-
 /// Why no admissible contact was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoSolution {
@@ -123,7 +96,7 @@ pub enum NoSolution {
         left: usize,
     },
     /// No force makes the contact as long, or the punch sink as far, as wanted.
-    #[error("no force makes the {controlled} {punch} {wanted:?}; {}", reachable(*.controlled, *.below, *.above))]
+    #[error("no force makes the {controlled} {punch} {wanted:?}; {}", reachable(*.below, *.above))]
     Unreachable {
         /// What is prescribed.
         controlled: Controlled,
@@ -131,17 +104,13 @@ pub enum NoSolution {
         punch: String,
         /// What it was to be, in length.
         wanted: f64,
-        /// The largest value below it that a force brings about, or that no force exceeds, in length.
+        /// The value that no force exceeds, in length.
         below: Option<f64>,
-        /// The smallest value above it that a force brings about, or that any force exceeds, in length.
+        /// The value that any force exceeds, in length.
         above: Option<f64>,
     },
-    /// The force was not found that makes the contact as long, or the punch sink as far, as wanted: forces tried were not solved for.
-    #[error(
-        "the force was not found that makes the {controlled} {punch} {wanted:?}; {}{}",
-        reachable(*.controlled, *.below, *.above),
-        .cause.as_ref().map(|cause| format!("; in between {cause}")).unwrap_or_default()
-    )]
+    /// The force was not found that makes the contact as long, or the punch sink as far, as wanted.
+    #[error("the force was not found that makes the {controlled} {punch} {wanted:?}: {cause}")]
     ForceNotFound {
         /// What is prescribed.
         controlled: Controlled,
@@ -149,34 +118,23 @@ pub enum NoSolution {
         punch: String,
         /// What it was to be, in length.
         wanted: f64,
-        /// The largest value below it that was found, in length.
-        below: Option<f64>,
-        /// The smallest value above it that was found, in length.
-        above: Option<f64>,
-        /// Why the solver failed at the force tried last; `None` if the search did not end.
-        cause: Option<Box<NoSolution>>,
+        /// Why the solver failed.
+        cause: Box<NoSolution>,
     },
     /// The ends of the contacts did not converge: what was tried last tells nothing of them.
     #[error("the ends of the contacts did not converge")]
     NotConverged,
 }
 
-/// Which values are reached on either side of one that is not.
-fn reachable(controlled: Controlled, below: Option<f64>, above: Option<f64>) -> String {
-    let (one, several) = match controlled {
-        Controlled::HalfLength => ("value", "values"),
-        Controlled::Approach => ("approach", "approaches"),
-    };
+/// Which values are reached.
+fn reachable(below: Option<f64>, above: Option<f64>) -> String {
     match (below, above) {
         (Some(below), Some(above)) if below == above => format!("it is {below:?} under any force"),
         // a contact is longer than the flat part of its punch, and shorter than the punch
-        (Some(below), Some(above)) if below > above => {
-            format!("reachable are {several} between {above:?} and {below:?}")
-        }
-        (Some(below), Some(above)) => format!("{several} up to {below:?} and from {above:?} on were reached"),
-        (Some(below), None) => format!("{several} up to {below:?} were reached"),
-        (None, Some(above)) => format!("reachable are {several} above {above:?}"),
-        (None, None) => format!("no {one} was reached"),
+        (Some(below), Some(above)) => format!("reachable are values between {above:?} and {below:?}"),
+        (Some(below), None) => format!("reachable are values below {below:?}"),
+        (None, Some(above)) => format!("reachable are values above {above:?}"),
+        (None, None) => "the contact would reach the edge of the punch".to_owned(),
     }
 }
 
@@ -196,13 +154,14 @@ impl NoSolution {
                  try a smaller force or radius, a looser tolerance, or leave out a layer too thin to matter"
             }
             Self::Unreachable { controlled: Controlled::Approach, .. } => {
-                "the contact would reach the edge of the punch: prescribe a smaller approach, or make the punch wider"
+                "prescribe a smaller approach, or make the punch wider"
             }
             Self::Unreachable { controlled: Controlled::HalfLength, .. } => {
-                "a contact is wider than the flat part of its punch, narrower than the punch, and its `half_length` jumps \
-                 where intervals of it meet: prescribe one that is reached, or the force"
+                "a contact is wider than the flat part of its punch and narrower than the punch: prescribe one that is reached, or the force"
             }
-            Self::ForceNotFound { .. } => "prescribe the force, or a value next to those that were reached",
+            Self::ForceNotFound { .. } => {
+                "prescribe the force: a half-length jumps where intervals of a contact meet, and there no force brings it about"
+            }
         };
         Some(hint.to_owned())
     }

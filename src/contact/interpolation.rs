@@ -11,7 +11,7 @@ use crate::contact::error::ContactError;
 use crate::contact::problem::accuracy::{BEST, SAFETY};
 use crate::numeric::chebyshev::{barycentric_weights, interpolation_row};
 use crate::numeric::largest;
-use crate::scene::Top;
+use crate::scene::{Force, Top};
 use crate::solution::{Carried, Contact, Interval, Solution, Stats, Strip};
 
 /// Forces that are solved for are this far apart, in their logarithm. Twice as far: half as many are solved for, and every other scene with thin layers misses ten digits between them.
@@ -21,28 +21,30 @@ const POINTS: usize = 12;
 /// They are found to this part of the tolerance, since the polynomial makes errors larger.
 const PART: f64 = 0.1;
 
-/// The solutions of one stack, for each punch, or loads, and tolerance.
+/// The solutions of one stack, for each punch, or loads, and tolerance, under forces or with something else prescribed, by the name of the latter.
 #[derive(Debug, Default)]
 pub(crate) struct Curves {
-    all: Mutex<Vec<(Top, u64, Arc<Curve>)>>,
+    all: Mutex<Vec<(Key, Arc<Curve>)>>,
 }
 
-/// Solutions at the forces exp(k [`APART`]); none where there is none, or one with a warning.
+type Key = (Top, u64, &'static str);
+
+/// Solutions at the forces, or half-lengths or depths, exp(k [`APART`]); none where there is none, or one with a warning.
 #[derive(Debug, Default)]
 struct Curve {
     points: Mutex<HashMap<i64, Arc<OnceLock<Option<Solution>>>>>,
 }
 
 impl Curves {
-    /// Presses punches or loads with a force to a tolerance; `press` presses to any tolerance with any force.
+    /// Presses punches or loads with a force, or so that something else is as prescribed, to a tolerance; `press` presses to any tolerance with any force.
     pub(crate) fn press(
         &self,
         top: &Top,
         tolerance: f64,
-        force: f64,
-        press: impl Fn(f64, f64) -> Result<Solution, ContactError>,
+        force: Force,
+        press: impl Fn(f64, Force) -> Result<Solution, ContactError>,
     ) -> Result<Solution, ContactError> {
-        let between = self.curve(top, tolerance).between(tolerance, force, &press);
+        let between = self.curve((top.clone(), tolerance.to_bits(), force.field())).between(tolerance, force, &press);
         between.map_or_else(|| press(tolerance, force), Ok)
     }
 
@@ -53,21 +55,20 @@ impl Curves {
             let strips = solution.contacts.iter().flat_map(|contact| &contact.strips);
             strips.map(|strip| strip.coefficients.len() + strip.skew.len()).sum()
         };
-        let of = |(_, _, curve): &(Top, u64, Arc<Curve>)| -> usize {
+        let of = |(_, curve): &(Key, Arc<Curve>)| -> usize {
             let points = curve.points.lock().unwrap_or_else(PoisonError::into_inner);
             points.values().filter_map(|point| point.get()?.as_ref().map(of)).sum()
         };
         all.iter().map(of).sum()
     }
 
-    fn curve(&self, top: &Top, tolerance: f64) -> Arc<Curve> {
+    fn curve(&self, key: Key) -> Arc<Curve> {
         let mut all = self.all.lock().unwrap_or_else(PoisonError::into_inner);
-        let tolerance = tolerance.to_bits();
-        if let Some((.., curve)) = all.iter().rev().find(|(own, other, _)| own == top && *other == tolerance) {
+        if let Some((_, curve)) = all.iter().rev().find(|(own, _)| *own == key) {
             return curve.clone();
         }
         let curve = Arc::<Curve>::default();
-        all.push((top.clone(), tolerance, curve.clone()));
+        all.push((key, curve.clone()));
         curve
     }
 }
@@ -77,17 +78,17 @@ impl Curve {
     fn between(
         &self,
         tolerance: f64,
-        force: f64,
-        press: impl Fn(f64, f64) -> Result<Solution, ContactError>,
+        force: Force,
+        press: impl Fn(f64, Force) -> Result<Solution, ContactError>,
     ) -> Option<Solution> {
-        let place = force.ln() / APART;
+        let place = force.number().ln() / APART;
         let first = place.floor() as i64 - (POINTS / 2 - 1) as i64;
         let slots: Vec<Arc<OnceLock<Option<Solution>>>> = {
             let mut points = self.points.lock().unwrap_or_else(PoisonError::into_inner);
             (first..).take(POINTS).map(|k| points.entry(k).or_default().clone()).collect()
         };
         let solve = |k: i64| {
-            let solution = press((PART * tolerance).max(BEST), (APART * k as f64).exp()).ok();
+            let solution = press((PART * tolerance).max(BEST), force.with((APART * k as f64).exp())).ok();
             solution.filter(|solution| solution.warnings.is_empty())
         };
         // those farthest away tell first where a curve ends
@@ -150,8 +151,12 @@ impl<'a> Between<'a> {
     }
 
     /// The solution between; `None` where it is not known to the tolerance.
-    fn solution(&self, force: f64, tolerance: f64) -> Option<Solution> {
+    fn solution(&self, force: Force, tolerance: f64) -> Option<Solution> {
         let one = self.points[POINTS / 2];
+        let [force, force_error] = match force.given() {
+            Some(force) => [force, 0.0],
+            None => self.known(|point| point.force, |point| point.force_error),
+        };
         let contacts: Vec<Contact> = (0..one.contacts.len()).map(|i| self.contact(i)).collect();
         let relative = contacts.iter().flat_map(|contact| {
             let of = |interval: &Interval| {
@@ -162,7 +167,7 @@ impl<'a> Between<'a> {
             let lost = (contact.resultant / force - 1.0).abs();
             contact.intervals.iter().map(of).chain([if is_known { 0.0 } else { pressure }, lost]).collect::<Vec<_>>()
         });
-        let worst = largest(relative);
+        let worst = largest(relative.chain([force_error / force]));
         let is_known = worst <= tolerance;
         let punches = |k: usize| Carried {
             force: self.value(|point| point.punches[k].force),
@@ -173,7 +178,8 @@ impl<'a> Between<'a> {
             stack: one.stack.clone(),
             contacts,
             force,
-            force_error: 0.0,
+            force_error,
+            controlled: one.controlled,
             punches: (0..one.punches.len()).map(punches).collect(),
             rotations: (0..one.rotations.len()).map(|k| self.value(|point| point.rotations[k])).collect(),
             min_pressure: self.value(|point| point.min_pressure).min(0.0),

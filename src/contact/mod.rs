@@ -3,11 +3,11 @@
 //! An answer goes through the rooms in order: [`problem`], lists of intervals to begin with ([`starts`]), the intervals where no pressure is singular and nothing is negative
 //! ([`intervals`], with their [`integrals`]), and the one assembly of a solution ([`answer`]). Where the first lists fail, the quadratic programme is asked ([`programme`]).
 pub(crate) mod answer;
-mod controlled;
 mod error;
 mod integrals;
 mod interpolation;
 mod intervals;
+mod prescribed;
 pub(crate) mod problem;
 mod programme;
 pub(crate) mod starts;
@@ -17,16 +17,16 @@ mod thin;
 use std::borrow::Cow;
 
 use crate::kernel::Kernel;
-use crate::scene::Top;
-use crate::solution::{Interface, Ledger, OwnerKey, Solution};
+use crate::scene::{Force, Top};
+use crate::solution::{Controlled, Interface, Ledger, OwnerKey, Solution};
 
-pub(crate) use controlled::{Measured, press_to};
-pub use error::{ContactError, Controlled, NoSolution};
+pub use error::{ContactError, NoSolution};
 pub(crate) use interpolation::Curves;
 pub(crate) use tangent::tangent;
 
 use answer::Answer;
-use problem::Problem;
+use prescribed::Drive;
+use problem::{Prescribed, Problem};
 use starts::formulas;
 use starts::order::solve_in_order;
 
@@ -41,24 +41,31 @@ pub(crate) struct Asked<'a> {
     pub(crate) tolerance: f64,
 }
 
-/// Presses a punch or loads with a force on a stack: the answer in the units of the scene.
-pub(crate) fn press(asked: &Asked, force: f64) -> Result<Solution, ContactError> {
-    let own = &*asked.kernel_under(force);
-    let problem = asked.problem(own, force);
+/// Presses a punch or loads on a stack with a force, or so that the contact is as long, or the punch sinks as far, as prescribed: the answer in the units of the scene.
+pub(crate) fn press(asked: &Asked, force: Force) -> Result<Solution, ContactError> {
+    let drive = Drive::new(asked.top, &asked.kernel_with_punch(), force)?;
+    let own = &*asked.kernel_under(drive.force);
+    let problem = drive.of(asked.problem(own, drive.force));
     let answer = if problem.unknown().next().is_none() {
-        Answer::known(&problem)
+        Ok(Answer::known(&problem))
     } else if problem.is_even() {
-        thin::solve(&problem, solve_in_order)?
+        thin::solve(&problem, solve_in_order)
     } else {
-        solve_in_order(&problem)?
+        solve_in_order(&problem)
     };
-    Ok(answer.into_solution(&problem, force, Some(asked.stack)))
+    let answer = answer.map_err(|error| drive.unmet(error))?;
+    Ok(answer.into_solution(&problem, drive.force, Some(asked.stack)))
 }
 
 /// The contact equations of a solution in words, see [`intervals::ledger`].
 pub(crate) fn ledger(asked: &Asked, solution: &Solution) -> Option<Ledger> {
     let own = &*asked.kernel_under(solution.force());
-    intervals::ledger(&asked.problem(own, solution.force()), solution)
+    let half_length = || (solution.contacts[0].innermost().right - solution.about().unwrap_or(0.0)) / own.length();
+    let prescribed = solution.controlled.map(|controlled| match controlled {
+        Controlled::HalfLength => Prescribed::HalfLength(half_length()),
+        Controlled::Approach => Prescribed::Depth(0.0),
+    });
+    intervals::ledger(&Problem { prescribed, ..asked.problem(own, solution.force()) }, solution)
 }
 
 impl Asked<'_> {
@@ -82,13 +89,18 @@ impl Asked<'_> {
 
     /// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
     pub(crate) fn kernel_under(&self, force: f64) -> Cow<'_, Kernel> {
-        let kernel = match self.top.material() {
-            Some(material) => Cow::Owned(self.kernel.under_half_plane(&material)),
-            None => Cow::Borrowed(self.kernel),
-        };
+        let kernel = self.kernel_with_punch();
         match formulas::length(&kernel, self.top, force) {
             Some(length) => Cow::Owned(kernel.measured_in(length)),
             None => kernel,
+        }
+    }
+
+    /// The kernel with what an elastic punch adds to it.
+    fn kernel_with_punch(&self) -> Cow<'_, Kernel> {
+        match self.top.material() {
+            Some(material) => Cow::Owned(self.kernel.under_half_plane(&material)),
+            None => Cow::Borrowed(self.kernel),
         }
     }
 

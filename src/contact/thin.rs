@@ -168,6 +168,9 @@ impl<'a> Thin<'a> {
             let [middle, error] = &mut contact.middle_pressure;
             *error += self.error * middle.abs();
         }
+        if problem.prescribed.is_some() {
+            answer.force[1] += self.error * answer.force[0];
+        }
         answer.warnings.extend(self.contacts.iter().map(|(contact, error)| {
             left_out(format!(
                 "a layer next to the contact {} is so thin that it is left out: it changes the ends of contacts and pressures by \

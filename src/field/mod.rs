@@ -10,7 +10,6 @@ mod error;
 mod extremes;
 mod faces;
 mod joints;
-mod means;
 mod measure;
 mod mesh;
 mod point;
@@ -28,8 +27,8 @@ use recede_layers::Wave;
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::FaceSide;
-pub(crate) use means::{FLAT, MeanWindow};
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
+pub(crate) use pressure::variations;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;

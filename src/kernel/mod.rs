@@ -6,6 +6,7 @@
 mod asymptote;
 mod closed;
 mod cut_off;
+mod depth;
 mod length;
 mod panel;
 
@@ -38,7 +39,8 @@ const MOST_WAVENUMBERS: usize = 5000;
 ///
 /// * diagonal i: response of the gap of contact i to the pressure of the same contact, C_tt below minus C_bb above;
 /// * equal-pressure response i: the same if the neighbouring contacts carry the same pressure, (C_tt + C_tb) − (C_bt + C_bb);
-/// * coupling i: response of contact i to the pressure of contact i + 1, C_tb of laminate i.
+/// * coupling i: response of contact i to the pressure of contact i + 1, C_tb of laminate i;
+/// * squeezed: the sum of all equal-pressure responses, in which what bends laminates under equal pressures, the more the longer the waves, drops out.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
     chains: Chains,
@@ -66,7 +68,7 @@ struct Chains {
 
 /// What is sampled at a wavenumber.
 struct Sample {
-    /// Diagonals, equal-pressure responses, couplings.
+    /// Diagonals, equal-pressure responses, couplings, and the sum of all equal-pressure responses.
     components: Vec<f64>,
     /// Whether equal pressures bend a laminate, at this wavenumber or another one since [`Sample::new`]: its equal-pressure response is then
     /// no more accurate than the rounding error of its bending response.
@@ -75,7 +77,7 @@ struct Sample {
 
 impl Sample {
     fn new(contacts: usize) -> Self {
-        Self { components: vec![0.0; 3 * contacts - 1], bent: vec![false; contacts - 1] }
+        Self { components: vec![0.0; 3 * contacts], bent: vec![false; contacts - 1] }
     }
 }
 
@@ -119,6 +121,7 @@ impl Chains {
             components[i + 1] -= c.bottom;
             components[n + i + 1] -= c.equal_bottom;
             components[2 * n + i] = c.coupling;
+            components[3 * n - 1] += c.equal_top - c.equal_bottom;
             // bending moves both faces alike; several layers are eliminated with the rounding error of bending
             bent[i] |= laminate.layers().len() > 1 || c.equal_top + c.equal_bottom != 0.0;
         }
@@ -126,6 +129,7 @@ impl Chains {
             let c = self.base.counted_flexibility(&wave, stats).ok_or_else(failed)?;
             components[n - 1] += c;
             components[2 * n - 1] += c;
+            components[3 * n - 1] += c;
         }
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
     }
@@ -342,6 +346,20 @@ impl Kernel {
     /// The remainder of contact i at one wavenumber: the equal-pressure response minus its short-wave limit.
     pub(crate) fn remainder(&self, contact: usize, zeta: f64) -> f64 {
         self.remainder_at(contact, zeta, self.at(zeta).as_ref())
+    }
+
+    /// All kernels at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is a panel or a part of it or lies beyond all panels, to be written over others.
+    pub(crate) fn values(&self, zeta: &[f64], [from, to]: [f64; 2], values: &mut Values) {
+        let number = self.panels.partition_point(|panel| panel.to <= from);
+        match self.panels.get(number) {
+            Some(panel) => panel.values(zeta, [from, to], values),
+            None => values.clear(self.contacts(), zeta.len()),
+        }
+        let far = |i: &usize| number == self.panels.len() || from >= self.asymptotes[*i].from;
+        for i in (0..self.contacts()).filter(far) {
+            let asymptotic = zeta.iter().map(|zeta| self.asymptotes[i].limit + self.asymptotes[i].remainder(*zeta));
+            values.set_far(i, asymptotic);
+        }
     }
 
     fn remainder_at(&self, contact: usize, zeta: f64, at: Option<&At>) -> f64 {

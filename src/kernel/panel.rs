@@ -44,7 +44,7 @@ pub(crate) struct Panel {
 /// loads.
 fn powers(contacts: usize, component: usize) -> i32 {
     match component / contacts {
-        _ if contacts == 1 => 0,
+        _ if contacts == 1 || component == 3 * contacts - 1 => 0,
         1 => 1,
         _ => 3,
     }
@@ -173,7 +173,7 @@ impl Panel {
 
     /// Adds a constant flexibility to contact 0.
     pub(super) fn add_to_first(&mut self, flexibility: f64) {
-        for component in [0, self.contacts] {
+        for component in [0, self.contacts, 3 * self.contacts - 1] {
             let exponent = powers(self.contacts, component);
             for ((zeta, _), value) in quadrature::rule(POINTS).on(self.from, self.to).zip(&mut self.values[component]) {
                 *value += flexibility * power(zeta, exponent);
@@ -239,7 +239,7 @@ impl Panel {
         At { panel: self, zeta, row: self.row(zeta) }
     }
 
-    /// Equal-pressure responses and couplings at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
+    /// Equal-pressure responses, couplings and the sum of the former at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
     /// the panel or a part of it, to be written over others.
     pub(crate) fn values(&self, zeta: &[f64], [from, to]: [f64; 2], all: &mut Values) {
         let count = zeta.len();
@@ -256,9 +256,9 @@ impl Panel {
         let n = self.contacts;
         (all.count, all.contacts) = (count, n);
         all.values.clear();
-        all.values.resize(count * (2 * n - 1), 0.0);
-        for (component, values) in (n..3 * n - 1).zip(all.values.chunks_exact_mut(count)) {
-            if component >= 2 * n && !self.coupled[component - 2 * n] {
+        all.values.resize(count * 2 * n, 0.0);
+        for (component, values) in (n..3 * n).zip(all.values.chunks_exact_mut(count)) {
+            if (2 * n..3 * n - 1).contains(&component) && !self.coupled[component - 2 * n] {
                 continue;
             }
             let exponent = powers(n, component);
@@ -283,7 +283,7 @@ impl Panel {
     }
 }
 
-/// Equal-pressure responses and couplings of a panel at several wavenumbers.
+/// Equal-pressure responses, couplings, and the sum of the former, at several wavenumbers.
 #[derive(Default)]
 pub(crate) struct Values {
     count: usize,
@@ -292,6 +292,29 @@ pub(crate) struct Values {
 }
 
 impl Values {
+    /// No couplings, and nothing else yet.
+    pub(super) fn clear(&mut self, contacts: usize, count: usize) {
+        (self.count, self.contacts) = (count, contacts);
+        self.values.clear();
+        self.values.resize(count * 2 * contacts, 0.0);
+    }
+
+    /// Puts the short-wave asymptote, and couplings to both sides, in place of the equal-pressure response of contact `i`.
+    pub(super) fn set_far(&mut self, i: usize, asymptotic: impl Iterator<Item = f64>) {
+        let (count, contacts) = (self.count, self.contacts);
+        let (equal, rest) = self.values.split_at_mut(contacts * count);
+        for (k, asymptotic) in asymptotic.enumerate() {
+            let laminates = i.saturating_sub(1)..(i + 1).min(contacts - 1);
+            let value = asymptotic + laminates.map(|laminate| rest[laminate * count + k]).sum::<f64>();
+            rest[(contacts - 1) * count + k] += value - std::mem::replace(&mut equal[i * count + k], value);
+        }
+    }
+
+    /// The sum of all equal-pressure responses.
+    pub(crate) fn squeezed(&self) -> &[f64] {
+        self.coupling(self.contacts - 1)
+    }
+
     /// The equal-pressure response of contact `i`.
     pub(crate) fn equal_pressure(&self, i: usize) -> &[f64] {
         &self.values[i * self.count..(i + 1) * self.count]

@@ -2,6 +2,7 @@
 
 pub mod bessel;
 pub mod chebyshev;
+pub(crate) mod means;
 pub mod quadrature;
 pub(crate) mod trigonometry;
 pub(crate) mod vector;

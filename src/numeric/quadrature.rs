@@ -32,6 +32,14 @@ pub const SIZES: [usize; 18] = [8, 12, 16, 20, 24, 32, 40, 48, 64, 80, 96, 128, 
 /// take longer to be made than they save.
 pub(crate) const LARGEST: usize = 512;
 
+/// Gauss points for a wave of this phase times a kernel of which `digits` decimal digits matter.
+pub(crate) fn points(phase: f64, digits: f64) -> usize {
+    // two points per wavelength, points for the turning points, and what kernel and wave take besides
+    let turning = (0.5 * phase).cbrt();
+    let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
+    (0.25 * phase + digits / 14.0 * spare).ceil() as usize
+}
+
 /// The position in [`SIZES`] of the smallest rule with at least `n` nodes; the largest if there is none.
 pub(super) fn position(n: usize) -> usize {
     SIZES.partition_point(|&size| size < n).min(SIZES.len() - 1)

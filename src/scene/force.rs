@@ -2,9 +2,8 @@
 use std::fmt;
 
 use super::value::ValueError;
-use recede_layers::Positive;
-
 use crate::geometry::Geometry;
+use recede_layers::Positive;
 
 /// The line load P that presses: force per unit length out of plane, or the contact that it has to bring about.
 ///
@@ -74,17 +73,17 @@ impl Force {
     }
 
     /// A force of the same kind with another number.
-    pub(super) fn with(self, number: Positive) -> Self {
+    pub(crate) fn with(self, number: f64) -> Self {
         match self {
-            Self::Given(_) => Self::Given(number.get()),
-            Self::ForHalfLength(_) => Self::ForHalfLength(number.get()),
-            Self::ForDepth(_) => Self::ForDepth(number.get()),
+            Self::Given(_) => Self::Given(number),
+            Self::ForHalfLength(_) => Self::ForHalfLength(number),
+            Self::ForDepth(_) => Self::ForDepth(number),
         }
     }
 
     /// The force, if its number is legal.
     pub(crate) fn checked(self) -> Result<Self, ValueError> {
-        ValueError::checked(self.field(), self.number()).map(|number| self.with(number))
+        ValueError::checked(self.field(), self.number()).map(|number: Positive| self.with(number.get()))
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a solved scene tells.
 mod contact;
+mod controlled;
 mod ledger;
 mod peak;
 mod strip;
@@ -12,6 +13,7 @@ use std::sync::Arc;
 use serde::{Serialize, Serializer};
 
 pub use contact::{Contact, Interval};
+pub use controlled::Controlled;
 pub use ledger::{Ledger, LedgerEntry};
 pub use peak::Peak;
 pub(crate) use strip::{Form, Strip, jacobi_weights, tip_coefficient};
@@ -136,6 +138,8 @@ pub struct Solution {
     pub(crate) contacts: Vec<Contact>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,
+    /// What was prescribed in place of the force.
+    pub(crate) controlled: Option<Controlled>,
     /// What each punch carries, if they are not one at x = 0 that is not turned.
     pub(crate) punches: Vec<Carried>,
     /// By how much the bodies above each contact but the first are turned.

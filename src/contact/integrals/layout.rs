@@ -6,7 +6,7 @@
 use crate::contact::integrals::tail::MOST_WAVENUMBERS;
 use crate::contact::problem::twin::Twin;
 use crate::kernel::{Kernel, Panel, Values, sum_of};
-use crate::numeric::quadrature::{LARGEST, rule};
+use crate::numeric::quadrature::{LARGEST, points, rule};
 
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
@@ -19,20 +19,14 @@ pub(crate) fn negligible(tolerance: f64) -> f64 {
     (1e-3 * tolerance).min(1e-10)
 }
 
-/// Gauss points for a wave of this phase times a kernel of which `digits` decimal digits matter.
-fn points(phase: f64, digits: f64) -> usize {
-    // two points per wavelength, points for the turning points, and what kernel and wave take besides
-    let turning = (0.5 * phase).cbrt();
-    let spare = (9.5 + 1.5 * turning).max(4.0 + 3.0 * turning);
-    (0.25 * phase + digits / 14.0 * spare).ceil() as usize
-}
-
 /// Fields away from the contacts are wanted to this, relative.
 pub(crate) const FIELDS: f64 = 1e-6;
 /// Nodes and weights; the weights of a contact or coupling cover the first nodes of `zeta`.
 pub(crate) struct Layout {
     /// Plane or axisymmetric.
     pub(crate) twin: Twin,
+    /// See [`negligible`].
+    pub(crate) negligible: f64,
     /// Real wavenumbers, ascending, shared by all contacts.
     pub(crate) zeta: Vec<f64>,
     /// Per contact.
@@ -103,7 +97,7 @@ impl Layout {
         let n = kernel.contacts();
         // two wavenumbers per wavelength
         let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
-        let mut layout = Self::empty(kernel);
+        let mut layout = Self::empty(kernel, negligible);
         let coupled = |i: usize| {
             let shortest = shortest[i].min(shortest[i + 1]);
             kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
@@ -127,7 +121,7 @@ impl Layout {
     }
 
     /// Without wavenumbers.
-    fn empty(kernel: &Kernel) -> Self {
+    fn empty(kernel: &Kernel, negligible: f64) -> Self {
         let n = kernel.contacts();
         let own = |i: usize| Own {
             unit: Vec::with_capacity(USUAL),
@@ -137,6 +131,7 @@ impl Layout {
         };
         Self {
             twin: Twin::of(kernel.geometry()),
+            negligible,
             zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
             coupling: (1..n).map(|_| Vec::with_capacity(USUAL)).collect(),

@@ -13,12 +13,13 @@ use crate::contact::intervals::equations::{Equations, Places, Sampled};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::system::{Rows, System};
 use crate::contact::intervals::waves::{AT_ONCE, Weighted, differences};
+use crate::contact::problem::Prescribed;
 
 impl Equations<'_> {
     /// All rows: waves block by block of wavenumbers, then half-planes.
     pub(super) fn system(&self, places: &[Places]) -> Option<System> {
         let size = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
-        let border = places.last().map_or(0, |last| last.left.1 + last.left.0.len());
+        let border = self.border(places);
         let mut system = System {
             a: Mat::zeros(size, size),
             e: Mat::zeros(size, border),
@@ -57,7 +58,33 @@ impl Equations<'_> {
                 }
             }
         }
+        self.add_prescribed(places, &mut system);
         Some(system)
+    }
+
+    /// How many rows there are that are not the ones of unknown terms, and as many unknowns.
+    pub(super) fn border(&self, places: &[Places]) -> usize {
+        places.last().map_or(0, |last| last.left.1 + last.left.0.len()) + usize::from(self.problem.prescribed.is_some())
+    }
+
+    /// Adds the row that tells the force of the punch from what is prescribed: the last one.
+    fn add_prescribed(&self, places: &[Places], system: &mut System) {
+        let row = system.d.nrows().saturating_sub(1);
+        match self.problem.prescribed {
+            None => {}
+            Some(Prescribed::HalfLength(_)) => system.d[(row, self.prescribed_end(places))] = 1.0,
+            Some(Prescribed::Depth(depth)) => {
+                let rows = Places { terms: Default::default(), ends: 0, left: (vec![0], row), told: Vec::new() };
+                let sunk = self.sunk();
+                for (contact, all) in sunk.by_columns.iter().enumerate() {
+                    let block = Block { all, first: [0; 2], factor: 1.0 };
+                    for own in self.chain(contact) {
+                        self.add_columns(&rows, system, own, &places[own], &block);
+                    }
+                }
+                system.right.left[row] += depth - sunk.height[0];
+            }
+        }
     }
 
     /// Products that are to be summed over the wavenumbers: of each contact with itself under equal pressures of its neighbours and with neighbours, and of
@@ -69,7 +96,7 @@ impl Equations<'_> {
             let told = self.columns[contact].told();
             let mut own = Sums::new([chain.clone(), chain.clone()], 1.0, [rows(contact); 2], told.clone());
             own.told_columns = Some(Mat::zeros(rows(contact), told.len()));
-            let unlinked = self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]);
+            let unlinked = self.problem.kernel.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]);
             let neighbour = move |(other, _): (usize, usize)| {
                 let columns = if self.problem.is_known(other) { 1 } else { rows(other) };
                 let both = [chain.clone(), vec![(0, self.chain(other), 1.0)]];
@@ -103,14 +130,17 @@ impl Equations<'_> {
             let mut own = vec![0.0; self.zeta(contact, nodes.clone()).len()];
             own.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
             let mut weights = own.clone();
-            for (_, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
+            for (_, laminate) in self.problem.kernel.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate])
+            {
                 weights.iter_mut().zip(self.coupling(laminate, first)).for_each(|(sum, weight)| *sum += weight);
             }
             // neighbours carry the same resultants and moments, which do nothing between them
             let mut columns = Weighted::new(pressed, &weights, parts, workspace);
             columns.add(&Weighted::new(&long[contact].values, &own, parts, workspace), &long[contact].places);
             add(&columns, pressed, tests);
-            for (other, laminate) in self.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]) {
+            for (other, laminate) in
+                self.problem.kernel.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate])
+            {
                 add(&Weighted::new(&waves[other], self.coupling(laminate, first), parts, workspace), pressed, tests);
             }
         }
@@ -142,7 +172,7 @@ impl Equations<'_> {
     /// The same for the rows of one contact and the columns of one.
     fn add_columns(&self, rows: &Places, system: &mut System, contact: usize, own: &Places, block: &Block) {
         let (terms, ends) = (self.columns[contact].terms(), self.columns[contact].ends());
-        let moments = system.e.ncols() - self.turning.len() - self.free.len();
+        let loads = system.e.ncols() - self.turning.len() - self.loads.len();
         let System { a, e, b, d, right } = system;
         for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
             block.add(*column, 1.0, &rows.terms, a.col_as_slice_mut(at));
@@ -155,7 +185,7 @@ impl Equations<'_> {
         for told in &own.told {
             block.add(told.column, -told.known, &rows.terms, &mut right.terms);
             block.add(told.column, -told.known, &rows.left, &mut right.left);
-            for (at, part) in (moments..).zip(&told.by_moments) {
+            for (at, part) in (loads..).zip(&told.by_loads) {
                 block.add(told.column, *part, &rows.terms, e.col_as_slice_mut(at));
                 block.add(told.column, *part, &rows.left, d.col_as_slice_mut(at));
             }

@@ -1,13 +1,16 @@
 //! The contact equations at given ends, and their solution: pressures, and how singular they are at each end.
 //!
 //! The first terms of groups of intervals, and where nothing is even the second ones, are told by resultants and moments. All other terms are unknowns,
-//! and so are the intensities q of the singular pressures at the ends, and the moments under punches that do not turn. The rows of the unknown terms are
+//! and so are the intensities q of the singular pressures at the ends, the moments under punches that do not turn, and the force of a punch of which something else is
+//! prescribed. The rows of the unknown terms are
 //! symmetric and positive definite; as many other rows are left as there are other unknowns: of the first and second terms, of the tests with k = 0,
 //! and of gaps to be closed. Bodies that may turn add an angle, and the test that tells it.
 use std::cell::{OnceCell, RefCell};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::rc::Rc;
+
+use faer::Mat;
 
 use crate::contact::integrals::layout::Layout;
 use crate::contact::integrals::samples::Samples;
@@ -31,14 +34,31 @@ pub(super) struct Equations<'a> {
     pub(super) linked: Vec<bool>,
     /// Whether nothing is even.
     moves: bool,
-    /// The groups of intervals of the uppermost contact under which the moment is an unknown.
-    pub(super) free: Vec<usize>,
+    /// The unknown moments and forces of punches.
+    pub(super) loads: Vec<Load>,
     /// The contacts and groups of intervals at which bodies turn against each other.
     pub(super) turning: Vec<(usize, usize)>,
     /// Columns at the first wavenumbers, and of each contact columns at short waves and what tests see of punches, as far as they have been asked for.
     blocks: RefCell<Vec<Rc<Sampled>>>,
     short_waves: Vec<OnceCell<Option<Vec<ShortWaves>>>>,
-    loads: Vec<OnceCell<Vec<f64>>>,
+    slopes: Vec<OnceCell<Vec<f64>>>,
+    pub(super) sunk: OnceCell<Sunk>,
+}
+
+/// What a punch carries, if that is unknown, by the group of intervals under it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Load {
+    /// The moment about the middle of the first interval under a punch that does not turn.
+    Moment(usize),
+    /// The force, over the one that is expected.
+    Force(usize),
+}
+
+impl Load {
+    fn group(self) -> usize {
+        let (Self::Moment(group) | Self::Force(group)) = self;
+        group
+    }
 }
 
 /// The columns of all contacts at some wavenumbers.
@@ -55,18 +75,20 @@ pub(super) struct Sampled {
 pub(super) struct Solved {
     /// Of each interval.
     pub(super) pressures: Vec<Pressure>,
-    /// The unknown moments, and the angles by which bodies turn.
-    pub(super) moments: Vec<f64>,
+    /// The unknown moments and forces of punches, and the angles by which bodies turn.
+    pub(super) loads: Vec<f64>,
     pub(super) angles: Vec<f64>,
     /// By how much the slope of the gap of each contact grows since bodies turn, for each group of intervals.
     pub(super) rotations: Vec<Vec<f64>>,
+    /// The force over the one that is given or expected.
+    pub(super) force: f64,
 }
 
 /// Where the unknowns and rows of one contact stand among all.
 pub(super) struct Places {
     /// Columns of the unknown terms, and the place of the first one.
     pub(super) terms: (Vec<usize>, usize),
-    /// The place of the first end; moments, and then rotations, stand behind all ends.
+    /// The place of the first end; loads, and then rotations, stand behind all ends.
     pub(super) ends: usize,
     /// Columns of the other rows, and the place of the first one.
     pub(super) left: (Vec<usize>, usize),
@@ -78,15 +100,37 @@ pub(super) struct Places {
 pub(super) struct Told {
     pub(super) column: usize,
     pub(super) known: f64,
-    /// Per unit of each unknown moment.
-    pub(super) by_moments: Vec<f64>,
+    /// Per unit of each unknown load.
+    pub(super) by_loads: Vec<f64>,
 }
 
 impl Told {
     /// What it is more than the same column of the contact above.
     fn count_from(&mut self, above: &Self) {
         self.known -= above.known;
-        self.by_moments.iter_mut().zip(&above.by_moments).for_each(|(own, above)| *own -= above);
+        self.by_loads.iter_mut().zip(&above.by_loads).for_each(|(own, above)| *own -= above);
+    }
+}
+
+/// What the depth of a punch follows from, in units of L and per unit of P'.
+pub(super) struct Sunk {
+    /// Of each contact two rows with what each column adds to it, by means with two sets of weights.
+    pub(super) by_columns: Vec<Mat<f64>>,
+    /// How much higher than its lowest point the punch is about the middle of its contact.
+    pub(super) height: [f64; 2],
+}
+
+impl Sunk {
+    /// The depth with some amplitudes of all columns, by both means: they differ by errors of the pressures.
+    pub(super) fn with(&self, amplitudes: &[Vec<f64>]) -> [f64; 2] {
+        let all = self.by_columns.iter().zip(amplitudes);
+        let sum = |mean: usize| {
+            let of = |(by, amplitudes): (&Mat<f64>, &Vec<f64>)| {
+                amplitudes.iter().enumerate().map(|(column, amplitude)| by[(mean, column)] * amplitude).sum::<f64>()
+            };
+            self.height[mean] + all.clone().map(of).sum::<f64>()
+        };
+        [0, 1].map(sum)
     }
 }
 
@@ -115,15 +159,16 @@ impl<'a> Equations<'a> {
         let linked = columns.windows(2).enumerate().map(is_linked).collect();
         let moves = support.0.iter().any(|interval| interval.parity == Parity::None);
         let groups = problem.groups(0);
-        let free = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).collect();
+        let moments = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).map(Load::Moment);
+        let loads = moments.chain(problem.prescribed.map(|_| Load::Force(0))).collect();
         let of = |contact: usize| {
             let turning = problem.groups(contact).into_iter().enumerate().filter(|(_, group)| moves && group.turns);
             turning.map(move |(group, _)| (contact, group))
         };
         let turning = (0..problem.contacts()).flat_map(of).collect();
-        let (short_waves, loads) = columns.iter().map(|_| (OnceCell::new(), OnceCell::new())).unzip();
-        let blocks = RefCell::default();
-        Self { problem, layout, columns, linked, moves, free, turning, blocks, short_waves, loads }
+        let (short_waves, slopes) = columns.iter().map(|_| (OnceCell::new(), OnceCell::new())).unzip();
+        let (blocks, sunk) = Default::default();
+        Self { problem, layout, columns, linked, moves, loads, turning, blocks, short_waves, slopes, sunk }
     }
 
     /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.
@@ -159,28 +204,43 @@ impl<'a> Equations<'a> {
     fn told(&self, contact: usize) -> Vec<Told> {
         let columns = &self.columns[contact];
         if self.problem.is_known(contact) {
-            return vec![Told { column: 0, known: 1.0, by_moments: vec![0.0; self.free.len()] }];
+            return vec![Told { column: 0, known: 1.0, by_loads: vec![0.0; self.loads.len()] }];
         }
         let (carried, groups) = (&columns.carried, self.problem.groups(contact));
-        // an unknown moment is the one about the middle of the first interval
-        let above = |group: &usize| {
-            let first = self.columns[0].groups[*group].start;
-            self.problem.groups(0)[*group].share * self.columns[0].intervals[first].middle
-        };
         let of = |(number, group): (usize, Range<usize>)| {
             let (own, first) = (&groups[number], columns.first(group.start));
-            let resultant = Told { column: first, known: own.share, by_moments: vec![0.0; self.free.len()] };
+            let is_carried = |load: &Load| contact > 0 || load.group() == number;
+            let unit = |load: &Load| if is_carried(load) { self.carried_by(*load) } else { [0.0; 2] };
+            let by_loads: Vec<[f64; 2]> = self.loads.iter().map(unit).collect();
+            // what is known is all less what the unknown loads have where they count from
+            let mut known = [own.share, own.moment.unwrap_or(0.0)];
+            for (load, unit) in self.loads.iter().zip(&by_loads) {
+                match load {
+                    Load::Force(_) => known.iter_mut().zip(unit).for_each(|(known, unit)| *known -= unit),
+                    Load::Moment(_) if is_carried(load) => known[1] += self.carried_by(Load::Force(load.group()))[1],
+                    Load::Moment(_) => {}
+                }
+            }
+            let resultant = |[resultant, _]: &[f64; 2]| *resultant;
+            let by = by_loads.iter().map(resultant).collect();
+            let resultant = Told { column: first, known: resultant(&known), by_loads: by };
             let moment = self.moves.then(|| {
-                let unit = carried[first + 1][1].recip();
-                let by = |free: &usize| if contact > 0 || *free == number { unit } else { 0.0 };
-                let by_moments = self.free.iter().map(by).collect();
-                let added = self.free.iter().filter(|free| contact > 0 || **free == number).map(above).sum::<f64>();
-                let about_first = own.moment.unwrap_or(0.0) + added - own.share * carried[first][1];
-                Told { column: first + 1, known: unit * about_first, by_moments }
+                let about_first = |[resultant, moment]: &[f64; 2]| {
+                    (moment - resultant * carried[first][1]) * carried[first + 1][1].recip()
+                };
+                let by_loads = by_loads.iter().map(about_first).collect();
+                Told { column: first + 1, known: about_first(&known), by_loads }
             });
             std::iter::once(resultant).chain(moment)
         };
         columns.groups.iter().cloned().enumerate().flat_map(of).collect()
+    }
+
+    /// Resultant and moment about x = 0 of an unknown load, per unit of it: a force acts in the middle of the first interval where the moment is counted from there.
+    fn carried_by(&self, load: Load) -> [f64; 2] {
+        let Load::Force(group) = load else { return [0.0, 1.0] };
+        let (own, first) = (&self.problem.groups(0)[group], self.columns[0].groups[group].start);
+        [own.share, own.moment.unwrap_or(own.share * self.columns[0].intervals[first].middle)]
     }
 
     /// The places of the unknown terms that are among the first ones of each interval, as many as `counts` says.
@@ -265,18 +325,12 @@ impl<'a> Equations<'a> {
 
     /// What the tests of a contact see of the slope of the punch.
     pub(super) fn load(&self, contact: usize) -> &[f64] {
-        self.loads[contact].get_or_init(|| self.columns[contact].load(&self.problem.sides[contact]))
+        self.slopes[contact].get_or_init(|| self.columns[contact].load(&self.problem.sides[contact]))
     }
 
     /// The real part of exp(iζx) alone, or the imaginary one as well.
     fn parts(&self) -> usize {
         if self.moves { 2 } else { 1 }
-    }
-
-    /// The neighbours of a contact, with the laminates between.
-    pub(super) fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
-        let below = (contact + 1 < self.columns.len()).then_some((contact + 1, contact));
-        contact.checked_sub(1).map(|above| (above, above)).into_iter().chain(below)
     }
 
     /// Weights of a coupling from a wavenumber on, as many as there are.
@@ -317,7 +371,7 @@ impl<'a> Equations<'a> {
         let (parts, mut own) = (self.parts(), fields[contact].clone());
         let count = own.len() / parts;
         let mut response = vec![0.0; own.len()];
-        for (other, laminate) in self.neighbours(contact) {
+        for (other, laminate) in self.problem.kernel.neighbours(contact) {
             let there = fields[other].len() / parts;
             for part in 0..parts {
                 let pair = own[part * count..].iter().zip(&fields[other][part * there..]);

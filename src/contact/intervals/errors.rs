@@ -1,4 +1,5 @@
 //! How well ends and pressures are known.
+use crate::contact::intervals::equations::Solved;
 use crate::contact::intervals::gaps::Signs;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::steps::{SHORT, looks};
@@ -20,6 +21,8 @@ pub(super) struct Errors {
     pub(super) ends: Vec<[f64; 2]>,
     /// Of the pressure in the middle of each interval, relative to the largest of these of the contact.
     pub(super) pressures: Vec<f64>,
+    /// Of the force, relative, if that is to be found.
+    pub(super) force: f64,
     /// Whether terms resolve the layers at the faces of contacts.
     pub(super) resolves: bool,
     /// The most that is due to something else than the number of terms.
@@ -37,13 +40,16 @@ impl Errors {
     pub(super) fn of(level: &Approximation, resolves: bool) -> Self {
         let all = &level.support.0;
         let moves = level.moves();
-        let [own, some, few] = [&level.solved.pressures, &level.coarser[0], &level.coarser[1]]
-            .map(|pressures| level.middle_pressures(pressures));
+        let [own, some, few] = [&level.solved, &level.coarser[0], &level.coarser[1]]
+            .map(|solved| level.middle_pressures(&solved.pressures));
         let size = |number: usize| level.largest_pressure(all[number].contact, &own);
         let differ = |number: usize| {
             [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())
         };
         let changes: Vec<[f64; 2]> = (0..all.len()).map(differ).collect();
+        let [own, some, few] =
+            [&level.solved, &level.coarser[0], &level.coarser[1]].map(|solved: &Solved| solved.force);
+        let of_force = [own - some, some - few].map(|change| change / own);
         // next to graded faces changes fall like a power
         let least = match level.graded.contains(&true) {
             // under a kink, or where terms do not resolve the layers at the faces, changes may be small by chance
@@ -55,8 +61,8 @@ impl Errors {
             let [last, before] = [0, 1].map(|k| largest(changes.iter().map(|change| change[k].abs())));
             if last > 0.0 { (last / before).clamp(least, MOST_FALL) } else { least }
         };
-        let falls = [fall(&moves), fall(&changes)];
-        let [of_ends, of_pressures] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
+        let falls = [fall(&moves), fall(&changes), fall(&[of_force])];
+        let [of_ends, of_pressures, of_forces] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
         // short waves matter where an interval is short
         let rest = |interval: &ContactInterval| {
             SAFETY * level.left
@@ -66,7 +72,8 @@ impl Errors {
         let rests: Vec<f64> = all.iter().map(rest).collect();
         let steps = if level.is_rounding { 0.0 } else { SAFETY * level.left };
         let most = |changes: &[[f64; 2]]| largest(changes.iter().map(|[last, _]| last.abs()));
-        let missing = (of_ends * most(&moves)).max(of_pressures * most(&changes));
+        let missing_force = of_forces * of_force[0].abs();
+        let missing = (of_ends * most(&moves)).max(of_pressures * most(&changes)).max(missing_force);
         let mut next = moves.iter();
         let ends = |(interval, rest): (&ContactInterval, &f64)| {
             let mut errors = [*rest; 2];
@@ -83,11 +90,13 @@ impl Errors {
         Self {
             ends: all.iter().zip(&rests).map(ends).collect(),
             pressures: changes.iter().zip(&rests).enumerate().map(pressure).collect(),
+            // a force grows no faster than the square of a depth
+            force: missing_force + largest(rests.iter().copied()) + 2.0 * SAFETY * level.missed,
             floor: largest(rests.iter().copied()) - steps,
             missing,
             steps,
             resolves,
-            fall: falls[0].max(falls[1]),
+            fall: largest(falls),
         }
     }
 
@@ -147,7 +156,7 @@ impl Errors {
     }
 
     pub(super) fn worst(&self) -> f64 {
-        largest(self.ends.iter().flatten().chain(&self.pressures).copied())
+        largest(self.ends.iter().flatten().chain(&self.pressures).copied().chain([self.force]))
     }
 }
 
@@ -155,8 +164,8 @@ impl Approximation {
     /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
     /// depends on an end.
     pub(super) fn moves(&self) -> Vec<[f64; 2]> {
-        let [own, some, few] = [&self.solved.pressures, &self.coarser[0], &self.coarser[1]]
-            .map(|pressures| looks(&self.support, pressures));
+        let [own, some, few] =
+            [&self.solved, &self.coarser[0], &self.coarser[1]].map(|solved| looks(&self.support, &solved.pressures));
         let of = |k: usize| {
             if self.weak[k] { [0.0; 2] } else { [some[k].step - own[k].step, few[k].step - some[k].step] }
         };

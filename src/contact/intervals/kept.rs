@@ -4,7 +4,6 @@
 //! columns with one vector, twice, in place of products of all columns with each other. It leaves as much of an error as ends have moved. Terms that the
 //! equations do not have are so short that half-planes dominate in their rows.
 use crate::contact::intervals::equations::{Equations, Places, Solved, fewer};
-use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
 use crate::numeric::longest;
@@ -76,16 +75,11 @@ impl Kept {
         corrected.collect()
     }
 
-    /// The pressures with two thirds of the terms, and with four ninths, to first order in what these change.
-    pub(super) fn with_fewer(
-        &self,
-        equations: &Equations,
-        solved: &Solved,
-        counts: &[usize],
-    ) -> Option<[Vec<Pressure>; 2]> {
+    /// The solution with two thirds of the terms, and with four ninths, to first order in what these change.
+    pub(super) fn with_fewer(&self, equations: &Equations, solved: &Solved, counts: &[usize]) -> Option<[Solved; 2]> {
         let few = fewer(counts);
         let mut all = self.all_corrected(equations, &[(solved, &few), (solved, &fewer(&few))])?.into_iter();
-        let mut next = || all.next().map(|(solved, _)| solved.pressures);
+        let mut next = || all.next().map(|(solved, _)| solved);
         Some([next()?, next()?])
     }
 

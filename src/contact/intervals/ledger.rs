@@ -1,30 +1,16 @@
 //! What the contact equations of a solution find, and from what.
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::columns::Other;
-use crate::contact::intervals::equations::Equations;
-use crate::contact::intervals::{Expected, of_formulas};
+use crate::contact::intervals::equations::{Equations, Load};
+use crate::contact::intervals::of_contacts;
 use crate::contact::problem::Problem;
-use crate::solution::{Interval, Ledger, LedgerEntry, Solution};
+use crate::solution::{Contact, Ledger, LedgerEntry, Solution};
 
 /// The contact equations on the intervals of a solution, with as many terms as it has; `None` where it is of low accuracy, and no solution of these equations.
 pub(crate) fn ledger(problem: &Problem, solution: &Solution) -> Option<Ledger> {
-    let length = problem.kernel.length();
-    let expected = problem.unknown().flat_map(|contact| {
-        let own = &solution.contacts[contact];
-        let punch = |number: usize| own.punches.get(number).copied().unwrap_or_default();
-        let of = |(number, one): (usize, &Interval)| {
-            let [left, right] = [one.left, one.right].map(|x| x / length - problem.origin);
-            let corner = |side: f64, x: f64| {
-                // units may have changed the last digit
-                let corner = problem.corner(contact, punch(number), side);
-                corner.filter(|corner| (corner - x).abs() < 1e-9 * (right - left)).unwrap_or(x)
-            };
-            Expected { contact, punch: punch(number), ends: [corner(-1.0, left), corner(1.0, right)] }
-        };
-        let all = own.intervals.iter().enumerate().map(of);
-        all.filter(|one| !problem.is_even() || one.ends[1] > 0.0).collect::<Vec<_>>()
-    });
-    let support = of_formulas(problem, &expected.collect::<Vec<_>>())?;
+    let own = |contact: &Contact| contact.clone().scaled(problem.kernel.length().recip(), 1.0).moved(-problem.origin);
+    let contacts: Vec<Contact> = problem.unknown().map(|contact| own(&solution.contacts[contact])).collect();
+    let support = of_contacts(problem, &contacts)?;
     let counts = solution.stats.terms.concat();
     let negligible = negligible(problem.tolerance);
     let layout = Layout::new(problem.kernel, &Lengths::of(problem, &support, &counts, negligible), negligible, 0.0)?;
@@ -43,21 +29,24 @@ impl Equations<'_> {
             let free_ends = corners.filter(|is_corner| !is_corner).count();
             let means = columns.others.iter().filter(|other| matches!(other, Other::Mean(_))).count();
             let turning = self.turning.iter().filter(|(own, _)| *own == contact).count();
-            let free = if contact == 0 { self.free.len() } else { 0 };
+            let moments = self.loads.iter().filter(|load| contact == 0 && matches!(load, Load::Moment(_))).count();
+            let forces = self.loads.iter().filter(|load| contact == 0 && matches!(load, Load::Force(_))).count();
             let entry = |(kind, count)| LedgerEntry { interface, kind, count };
             let all = [
                 ("terms of pressures", places.terms.0.len() + told),
                 ("intensities of singular pressures at ends", columns.ends()),
                 ("places of ends that move", free_ends),
                 ("angles by which bodies turn", turning),
+                ("force of the punch", forces),
             ];
             unknowns.extend(all.map(entry).into_iter().filter(|entry| entry.count > 0));
             let all = [
                 ("slopes of gaps that are closed, tested with cos kφ, k > 0", columns.terms()),
                 ("slopes of gaps that are closed, tested with k = 0", means),
                 ("gaps between intervals, closed at both ends", places.left.0.len() - told - means),
-                ("resultants and moments of pressures", told - free),
+                ("resultants and moments of pressures", told - moments),
                 ("intensities that vanish at ends that move", free_ends),
+                ("half-length of the contact of the punch, or its depth", forces),
             ];
             rows.extend(all.map(entry).into_iter().filter(|entry| entry.count > 0));
         }

@@ -2,6 +2,7 @@
 //! nothing is even.
 mod assemble;
 mod columns;
+mod depth;
 mod derivatives;
 mod equations;
 mod errors;
@@ -27,11 +28,11 @@ mod waves;
 use crate::contact::answer::Answer;
 use crate::contact::integrals::layout::Lengths;
 use crate::contact::integrals::tail::turning;
-use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
+use crate::contact::problem::{Prescribed, Problem};
 use crate::contact::programme::ActiveIntervals;
 use crate::numeric::largest;
 use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
@@ -83,6 +84,24 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
     problem.unknown().all(is_there).then_some(start)
 }
 
+/// The list on which contacts were found, in units of L; none where a contact has none.
+pub(super) fn of_contacts(problem: &Problem, contacts: &[Contact]) -> Option<Intervals> {
+    let expected = problem.unknown().zip(contacts).flat_map(|(contact, own)| {
+        let of = |(number, one): (usize, &solution::Interval)| {
+            let punch = own.punches.get(number).copied().unwrap_or_default();
+            let end = |side: f64, x: f64| {
+                // units may have changed the last digit
+                let corner = problem.corner(contact, punch, side);
+                corner.filter(|corner| (corner - x).abs() < 1e-9 * (one.right - one.left)).unwrap_or(x)
+            };
+            Expected { contact, punch, ends: [end(-1.0, one.left), end(1.0, one.right)] }
+        };
+        let all: Vec<Expected> = own.intervals.iter().enumerate().map(of).collect();
+        all.into_iter().filter(|one| !problem.is_even() || one.ends[1] > 0.0)
+    });
+    of_formulas(problem, &expected.collect::<Vec<_>>()).map(|support| support.held(problem))
+}
+
 /// Lists where the quadratic programme sees contacts, if it sees any; about an axis none but discs.
 pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
     if active.is_empty() {
@@ -102,10 +121,14 @@ pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec
     starts
 }
 
-/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
+/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone, and, under a sharp tip, all that the mean feels which
+/// tells a depth: terms of a tip do not fall.
 fn resolving(problem: &Problem, interval: &ContactInterval) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
-    (if interval.is_even() { 0.5 * orders } else { orders }) as usize
+    let of_waves = (if interval.is_even() { 0.5 * orders } else { orders }) as usize;
+    let is_depth = matches!(problem.prescribed, Some(Prescribed::Depth(_)));
+    let has_tip = is_depth && problem.tip(interval.contact, interval.punch).is_some();
+    if has_tip { of_waves.max(4 * COARSEST) } else { of_waves }
 }
 
 /// The same between the usual number of terms and four times as many, both times `finer`.
@@ -178,8 +201,8 @@ fn answered(
     for (k, error) in errors.pressures.iter_mut().enumerate() {
         *error += SAFETY * level.local[k].error / level.largest_pressure(level.support.0[k].contact, &middle);
     }
-    // what still changes so much is not known to be near its limit
-    if !errors.are_known() {
+    // what still changes so much is not known to be near its limit, and a punch presses
+    if !errors.are_known() || level.solved.force <= 0.0 {
         return Err(None);
     }
     let mut warnings = Vec::new();
@@ -203,7 +226,8 @@ fn answered(
     };
     let contacts = found(problem, &level, &errors);
     let (min_pressure, min_gap) = (signs.min_pressure, signs.min_gap);
-    Ok(Answer { contacts, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
+    let force = [level.solved.force, problem.prescribed.map_or(0.0, |_| errors.force * level.solved.force)];
+    Ok(Answer { contacts, force, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 
 /// Whether terms resolve the layers at the faces of all contacts. Solutions with fewer terms do not tell their errors.

@@ -33,8 +33,8 @@ pub(super) struct Approximation {
     pub(super) solved: Solved,
     /// The same pressures without what steps have left at ends that are found, with all resultants and moments.
     pub(super) regular: Vec<Pressure>,
-    /// The pressures with two thirds of the terms between the same ends, and with four ninths.
-    pub(super) coarser: [Vec<Pressure>; 2],
+    /// The same with two thirds of the terms between the same ends, and with four ninths.
+    pub(super) coarser: [Solved; 2],
     /// Factorised equations of nearly the same list, if they have the same unknowns.
     kept: Option<Rc<Kept>>,
     /// Derivatives of the intensities at ends of nearly the same list, if there are any.
@@ -46,6 +46,8 @@ pub(super) struct Approximation {
     rate: f64,
     /// Whether that is rounding.
     pub(super) is_rounding: bool,
+    /// By how much pressures miss a prescribed depth, relative, without what is singular at ends on which next to nothing depends.
+    pub(super) missed: f64,
     /// By how much what steps have left changes the pressure in the middle of each interval.
     pub(super) unmoved: Vec<f64>,
     /// What kernels are resolved to, relative.
@@ -71,7 +73,7 @@ impl Approximation {
         let mut all = steps.iter().zip(looks).map(|(step, look)| if *step == 0.0 { 0.0 } else { look.q });
         let taken: Vec<Vec<f64>> =
             support.0.iter().map(|interval| all.by_ref().take(interval.sides().len()).collect()).collect();
-        let on = |pressures: Vec<Pressure>| -> Vec<Pressure> {
+        let on = |solved: Solved| {
             let places = self.support.0.iter().zip(&support.0).zip(&taken);
             let of = |(pressure, ((before, after), taken)): (
                 Pressure,
@@ -81,11 +83,10 @@ impl Approximation {
                 own.singular.iter_mut().zip(taken).for_each(|(own, taken)| *own -= taken);
                 own
             };
-            pressures.into_iter().zip(places).map(of).collect()
+            Solved { pressures: solved.pressures.into_iter().zip(places).map(of).collect(), ..solved }
         };
         let before = self.middle_pressures(&self.solved.pressures);
-        let solved = Solved { pressures: on(self.solved.pressures), ..self.solved };
-        let coarser = self.coarser.map(on);
+        let (solved, coarser) = (on(self.solved), self.coarser.map(on));
         let regular = regular(&Equations::new(problem, layout, &support, &self.counts), &support, &solved);
         let mut moved = Self { solved, regular, coarser, support, ..self };
         // what is left of steps changes pressures by as large a part of what these steps change
@@ -102,8 +103,7 @@ impl Approximation {
 
     /// With two thirds of the terms between the same ends.
     pub(super) fn coarse(&self) -> Self {
-        let solved = Solved { pressures: self.coarser[0].clone(), ..self.solved.clone() };
-        Self { counts: fewer(&self.counts), solved, ..self.clone() }
+        Self { counts: fewer(&self.counts), solved: self.coarser[0].clone(), ..self.clone() }
     }
 }
 
@@ -331,7 +331,9 @@ impl<'a> Newton<'a> {
         let kept = self.kept.as_ref()?;
         let coarser = kept.with_fewer(equations, &solved, self.counts)?;
         let kernel = equations.problem.kernel;
+        let weak: Vec<bool> = steps(looks, self.derivatives.matrix.as_deref()).iter().map(Option::is_none).collect();
         Some(Approximation {
+            missed: equations.missed(&solved, &weak),
             regular: regular(equations, support, &solved),
             support: support.clone(),
             counts: self.counts.to_vec(),
@@ -339,7 +341,7 @@ impl<'a> Newton<'a> {
             solved,
             coarser,
             kept: self.kept.clone(),
-            weak: steps(looks, self.derivatives.matrix.as_deref()).iter().map(Option::is_none).collect(),
+            weak,
             derivatives: self.derivatives.matrix.clone().or(self.before.clone().filter(|before| before.serves(looks))),
             left: self.leaves(),
             rate: self.rate,

@@ -3,6 +3,7 @@ use std::f64::consts::PI;
 
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::twin::Twin;
+use crate::contact::problem::{Prescribed, Problem};
 use crate::numeric::bessel::Wanted;
 
 /// Neighbours' intervals whose lengths differ by a larger factor are not alike: their pressures have their resultants in common, and no more.
@@ -30,7 +31,7 @@ pub(crate) struct ContactInterval {
     pub(super) middle: f64,
     pub(super) half: f64,
     pub(super) parity: Parity,
-    /// Whether the left and the right end are at the corners of a flat punch: they stay there, and the pressure may be singular.
+    /// Whether the left and the right end stay where they are: at the corners of a flat punch, where the pressure may be singular, or where that is prescribed.
     pub(super) corners: [bool; 2],
 }
 
@@ -178,6 +179,20 @@ impl Intervals {
                 (counts[above], counts[below]) = (most, most);
             }
         }
+    }
+
+    /// With the innermost interval under the punch ending where that is prescribed, if it is, and staying there.
+    pub(super) fn held(mut self, problem: &Problem) -> Self {
+        let Some(Prescribed::HalfLength(end)) = problem.prescribed else { return self };
+        let under_punch = self.0.iter_mut().filter(|interval| interval.contact == 0);
+        for (number, interval) in under_punch.enumerate() {
+            interval.corners = [false; 2];
+            if number == 0 {
+                let from = if interval.from() < end { interval.from() } else { 0.0 };
+                *interval = interval.between([from, end]).with_corners([false, true]);
+            }
+        }
+        self
     }
 
     /// All ends, from the top down and outwards.

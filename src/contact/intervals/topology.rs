@@ -66,6 +66,7 @@ fn changed(
     work: &mut Work,
 ) -> Result<Answer, Intervals> {
     for _ in 0..MOST_CHANGES {
+        support = support.held(problem);
         // discs are all there is about an axis
         if support.0.iter().any(|interval| interval.twin == Twin::Round && !interval.is_even()) {
             break;
@@ -139,7 +140,7 @@ enum Tension {
 /// Looks for negative pressures, and whether fewer terms have them, too.
 fn tension(problem: &Problem, level: &Approximation) -> Tension {
     let mut found = Tension::None;
-    let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0]).enumerate();
+    let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0].pressures).enumerate();
     for (number, ((interval, pressure), coarser)) in
         all.filter(|(_, ((interval, _), _))| !problem.sides[interval.contact].is_joined())
     {

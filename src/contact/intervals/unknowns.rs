@@ -1,18 +1,19 @@
 //! Pressures from the unknowns of the equations and the other way round, and by how much pressures miss the equations.
 use crate::contact::intervals::columns::Columns;
-use crate::contact::intervals::equations::{Equations, Places, Solved, Told};
+use crate::contact::intervals::equations::{Equations, Load, Places, Solved, Told};
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::intervals::system::{Rows, Unknowns};
-use crate::numeric::dot;
+use crate::contact::problem::Prescribed;
+use crate::numeric::{dot, largest};
 
 impl Equations<'_> {
     /// The amplitudes of all columns of all contacts, the first ones of which tell resultants and moments; 1 of a given pressure.
     fn amplitudes_of(&self, places: &[Places], Unknowns { x, q }: &Unknowns) -> Vec<Vec<f64>> {
-        let moments = &q[q.len() - self.turning.len() - self.free.len()..];
+        let loads = &q[q.len() - self.turning.len() - self.loads.len()..];
         let mut all: Vec<Vec<f64>> = Vec::with_capacity(places.len());
         for (contact, (columns, places)) in self.columns.iter().zip(places).enumerate() {
-            let told = |told: &Told| told.known + dot(&told.by_moments, moments);
+            let told = |told: &Told| told.known + dot(&told.by_loads, loads);
             if columns.intervals.is_empty() {
                 all.push(places.told.iter().map(told).collect());
                 continue;
@@ -34,7 +35,7 @@ impl Equations<'_> {
     pub(super) fn solved(&self, places: &[Places], unknowns: &Unknowns, counts: &[usize]) -> Solved {
         let mut counts = counts.iter();
         let (others, angles) = unknowns.q.split_at(unknowns.q.len() - self.turning.len());
-        let moments = &others[others.len() - self.free.len()..];
+        let loads = &others[others.len() - self.loads.len()..];
         let mut amplitudes = self.amplitudes_of(places, unknowns);
         let mut of = |contact: usize| {
             let (columns, amplitudes) = (&self.columns[contact], &mut amplitudes[contact]);
@@ -56,8 +57,15 @@ impl Equations<'_> {
             (0..columns.groups.len()).map(|group| rotation(contact, group)).collect()
         };
         let rotations = self.columns.iter().enumerate().map(of_contact).collect();
-        let (moments, angles) = (moments.to_vec(), angles.to_vec());
-        Solved { pressures: self.problem.unknown().flat_map(&mut of).collect(), moments, angles, rotations }
+        let of_load = |(load, value): (&Load, &f64)| if let Load::Force(_) = load { Some(*value) } else { None };
+        let force = self.loads.iter().zip(loads).find_map(of_load).unwrap_or(1.0);
+        let (loads, angles) = (loads.to_vec(), angles.to_vec());
+        let mut pressures: Vec<Pressure> = self.problem.unknown().flat_map(&mut of).collect();
+        if let (Some(Prescribed::HalfLength(_)), Some(first)) = (self.problem.prescribed, pressures.first_mut()) {
+            // as the last row says, but for rounding
+            first.singular.iter_mut().rev().take(1).for_each(|q| *q = 0.0);
+        }
+        Solved { pressures, loads, angles, rotations, force }
     }
 
     /// The unknowns of pressures, but for tips, which are where they are; what resultants and moments tell is left out.
@@ -84,11 +92,12 @@ impl Equations<'_> {
             x[*first..].iter_mut().zip(terms).for_each(|(x, term)| *x = own(*term));
             q.extend((columns.terms()..columns.terms() + columns.ends()).map(own));
         }
-        q.extend(solved.moments.iter().chain(&solved.angles));
+        q.extend(solved.loads.iter().chain(&solved.angles));
         Unknowns { x, q }
     }
 
-    /// What the tests of each contact miss, with each of some unknowns: zero if these solve the equations. `None` if short waves take too many wavenumbers.
+    /// What the tests of each contact miss, and last what is missing of what is prescribed, with each of some unknowns: zero if these solve the equations. `None` if short
+    /// waves take too many wavenumbers.
     pub(super) fn residuals(&self, places: &[Places], all: &[Unknowns]) -> Option<Vec<Vec<Vec<f64>>>> {
         let sets: Vec<Vec<Vec<f64>>> = all.iter().map(|unknowns| self.amplitudes_of(places, unknowns)).collect();
         let zeros: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
@@ -104,8 +113,34 @@ impl Equations<'_> {
             for contact in self.problem.unknown() {
                 self.add_in_space_of(contact, &amplitudes[contact], angles, &mut rows[contact])?;
             }
+            rows.push(self.unmet(places, amplitudes, unknowns));
         }
         Some(missed)
+    }
+
+    /// By how much pressures without what is singular at some ends miss a depth that is prescribed, by two means that differ by errors of the pressures, relative.
+    pub(super) fn missed(&self, solved: &Solved, without: &[bool]) -> f64 {
+        let Some(Prescribed::Depth(depth)) = self.problem.prescribed else { return 0.0 };
+        let mut regular = solved.clone();
+        let ends = regular.pressures.iter_mut().flat_map(|pressure| &mut pressure.singular);
+        ends.zip(without).filter(|(_, without)| **without).for_each(|(q, _)| *q = 0.0);
+        let places = self.places();
+        let depths = self.sunk().with(&self.amplitudes_of(&places, &self.unknowns(&places, &regular)));
+        largest(depths.map(|own| (own / depth - 1.0).abs()))
+    }
+
+    /// What is missing of what is prescribed of the punch in place of its force.
+    fn unmet(&self, places: &[Places], amplitudes: &[Vec<f64>], unknowns: &Unknowns) -> Vec<f64> {
+        let of = |prescribed| match prescribed {
+            Prescribed::HalfLength(_) => -unknowns.q[self.prescribed_end(places)],
+            Prescribed::Depth(depth) => depth - self.sunk().with(amplitudes)[0],
+        };
+        self.problem.prescribed.map(of).into_iter().collect()
+    }
+
+    /// Where the end of the contact that is as far out as prescribed stands among the unknowns: the right one of the innermost interval under the punch.
+    pub(super) fn prescribed_end(&self, places: &[Places]) -> usize {
+        places[0].ends + self.columns[0].intervals[0].sides().len() - 1
     }
 
     /// Adds what tests of a contact miss in space with some amplitudes and angles.
@@ -126,9 +161,8 @@ impl Equations<'_> {
 
     /// The rows of all unknowns, from the tests of each contact.
     pub(super) fn rows_of(&self, places: &[Places], tested: &[Vec<f64>]) -> Rows {
-        let size = |of: fn(&Places) -> usize| places.last().map_or(0, of);
-        let mut all =
-            Rows::zeros(size(|last| last.terms.1 + last.terms.0.len()), size(|last| last.left.1 + last.left.0.len()));
+        let terms = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
+        let mut all = Rows::zeros(terms, self.border(places));
         for contact in self.problem.unknown() {
             for Places { terms, left, .. } in &places[self.chain(contact)] {
                 let add = |(into, row): (&mut f64, &usize)| *into += tested[contact][*row];
@@ -136,6 +170,8 @@ impl Equations<'_> {
                 all.left[left.1..].iter_mut().zip(&left.0).for_each(add);
             }
         }
+        // the last row
+        all.left.iter_mut().rev().zip(&tested[self.columns.len()]).for_each(|(into, unmet)| *into = *unmet);
         all
     }
 

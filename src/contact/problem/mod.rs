@@ -15,7 +15,7 @@ use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::scene::Top;
-use crate::solution::Interface;
+use crate::solution::{Controlled, Interface};
 
 use accuracy::MOST_OPERATIONS;
 use load::Given;
@@ -33,12 +33,31 @@ pub(crate) struct Problem<'a> {
     /// Where x = 0 is in the scene, in units of L: where the force acts, if anything is not even.
     pub(crate) origin: f64,
     pub(crate) top: &'a Top,
-    /// P' = P/(μ₀L).
+    /// P' = P/(μ₀L), or what is expected of it where something else is prescribed of the punch.
     pub(crate) force: f64,
+    pub(crate) prescribed: Option<Prescribed>,
     /// Relative error wanted.
     pub(crate) tolerance: f64,
     /// Multiplications at most, see [`MOST_OPERATIONS`].
     pub(crate) operations: f64,
+}
+
+/// What is prescribed of a symmetric punch in place of its force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Prescribed {
+    /// How far from the tip the innermost interval ends, in units of L.
+    HalfLength(f64),
+    /// How far the punch sinks, in units of L and per unit of P'.
+    Depth(f64),
+}
+
+impl Prescribed {
+    pub(crate) fn controlled(self) -> Controlled {
+        match self {
+            Self::HalfLength(_) => Controlled::HalfLength,
+            Self::Depth(_) => Controlled::Approach,
+        }
+    }
 }
 
 /// Force, moment and rotation of a group of intervals: under one punch, or all intervals of a contact between layers.
@@ -66,7 +85,7 @@ pub(crate) enum Side<'a> {
 }
 
 impl<'a> Problem<'a> {
-    /// A punch or load on the uppermost contact, all others closed; the force is in the units of the scene.
+    /// A punch or load on the uppermost contact, all others closed; the force is in the units of the scene, and what is expected where it is to be found.
     pub(crate) fn new(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
@@ -87,7 +106,8 @@ impl<'a> Problem<'a> {
         };
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
         let sides = std::iter::once(side).chain(closed).collect();
-        Self { kernel, interfaces, sides, origin, top, force, tolerance, operations: MOST_OPERATIONS }
+        let (prescribed, operations) = (None, MOST_OPERATIONS);
+        Self { kernel, interfaces, sides, origin, top, force, prescribed, tolerance, operations }
     }
 
     /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
@@ -109,7 +129,10 @@ impl<'a> Problem<'a> {
     where
         'a: 'b,
     {
-        Problem::new(kernel, interfaces, self.top, self.total_force(), tolerance)
+        Problem {
+            prescribed: self.prescribed,
+            ..Problem::new(kernel, interfaces, self.top, self.total_force(), tolerance)
+        }
     }
 
     /// The force in the units of the scene.

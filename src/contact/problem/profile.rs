@@ -2,6 +2,7 @@
 
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::twin::Twin;
+use crate::numeric::means::MeanWindow;
 use crate::scene::{Punch, Shape};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
@@ -103,6 +104,17 @@ impl<'a> PunchProfile<'a> {
     /// Height above the apex at x (both in units of L), per unit of P'.
     pub(crate) fn height(&self, x: f64) -> f64 {
         self.shape.height(x * self.length) / (self.length * self.force)
+    }
+
+    /// Height above the lowest point at x (in units of L), per unit of P'.
+    pub(crate) fn height_above_lowest(&self, x: f64) -> f64 {
+        self.height(x) - self.shape.lowest() / (self.length * self.force)
+    }
+
+    /// How much higher than the lowest point the profile is on average about the middle of its contact, by both means, per unit of P'.
+    pub(crate) fn mean_height(&self, window: &MeanWindow) -> [f64; 2] {
+        let starts: Vec<f64> = self.shape.starts().iter().map(|start| start / self.length).collect();
+        window.of_profile(self.twin == Twin::Round, |x| self.height_above_lowest(x), &starts)
     }
 
     /// Slope at x (in units of L), per unit of P'.

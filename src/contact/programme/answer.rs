@@ -27,7 +27,15 @@ pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<An
     );
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..problem.kernel.stats() };
-    Some(Answer { contacts, min_pressure: 0.0, min_gap: 0.0, rotations: Vec::new(), stats, warnings })
+    Some(Answer {
+        contacts,
+        force: [1.0, 0.0],
+        min_pressure: 0.0,
+        min_gap: 0.0,
+        rotations: Vec::new(),
+        stats,
+        warnings,
+    })
 }
 
 /// What contact i of the programme, contact `contact` of the problem, is.

@@ -5,10 +5,11 @@ use crate::contact::problem::load::Given;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::profile::PunchProfile;
 use crate::contact::problem::twin::Twin;
-use crate::contact::problem::{Problem, Side};
+use crate::contact::problem::{Prescribed, Problem, Side};
 use crate::kernel::Kernel;
 use crate::numeric::longest;
-use crate::scene::Top;
+use crate::scene::{Punch, Top};
+use std::f64::consts::{LN_2, PI};
 
 /// Half-length of the contact of a strip of thickness 1 that a line load presses on a rigid base.
 const ON_RIGID_BASE: f64 = 0.857;
@@ -21,6 +22,14 @@ const ROUND: [f64; 2] = [1.093, 3.70];
 const BETWEEN: f64 = 3.4;
 /// The wavenumber that stands for a pressure of half-length a is this over a.
 pub(crate) const TYPICAL: f64 = 1.2;
+
+/// The mean of a profile about the middle of a contact is about its height there, in half-lengths.
+const MEAN: f64 = 0.2;
+/// The transform of Hertz's pressure times the mean of a wave is about exp(−z²/7), z = ζa.
+const BELL: f64 = 1.0 / 7.0;
+/// Binary logarithms of the longest and the shortest waves by which a depth is estimated, times the half-length.
+const LONGEST: i32 = -20;
+const SHORTEST: i32 = 3;
 
 /// The force P' at which the contact under a punch, the uppermost one, is expected to have a half-length (in units of L), for
 /// an indentation by P' = 1.
@@ -45,6 +54,42 @@ pub(crate) fn length(kernel: &Kernel, top: &Top, force: f64) -> Option<f64> {
         Top::Punches(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], top, force, 0.0))[0],
     };
     (length.is_normal() && length > 0.0).then_some(length)
+}
+
+/// The force, in the unit of the scene, under which the contact of a symmetric punch is expected to have a half-length; not a normal number where doubles do not hold it.
+pub(crate) fn force_for_half_length(kernel: &Kernel, punch: &Punch, half_length: f64) -> f64 {
+    let (twin, length) = (Twin::of(kernel.geometry()), kernel.length());
+    let (profile, half_length) = (PunchProfile::new(punch, length, 1.0, twin), half_length / length);
+    let force = force(kernel, &profile, half_length);
+    // where a wave as long would lift what bends: the faces alone
+    let of_faces = || profile.first_row(half_length) * half_length / kernel.asymptote(0).limit;
+    twin.total_force(if force.is_normal() && force > 0.0 { force } else { of_faces() }, kernel.modulus(), length)
+}
+
+/// The force, in the unit of the scene, under which a symmetric punch is expected to sink so far, and whether its contact is expected to end within the punch.
+pub(crate) fn force_for_depth(kernel: &Kernel, punch: &Punch, depth: f64) -> (f64, bool) {
+    let (twin, length) = (Twin::of(kernel.geometry()), kernel.length());
+    let (profile, depth) = (PunchProfile::new(punch, length, 1.0, twin), depth / length);
+    let total = |force: f64| twin.total_force(force, kernel.modulus(), length);
+    if let Some(half_length) = profile.flat() {
+        return (total(depth / moved(kernel, half_length)), true);
+    }
+    let sunk = |half_length: f64| {
+        profile.height_above_lowest(MEAN * half_length)
+            + force(kernel, &profile, half_length) * moved(kernel, half_length)
+    };
+    let half_length = where_one(&profile, |half_length| sunk(half_length) / depth);
+    let fits = profile.edge().is_none_or(|edge| sunk((1.0 - COARSE) * edge) > depth);
+    (total(force(kernel, &profile, half_length)), fits)
+}
+
+/// How far a pressure with P' = 1 on a contact, about as Hertz's, moves the faces of the closed stack towards each other about its middle, in units of L.
+fn moved(kernel: &Kernel, half_length: f64) -> f64 {
+    let twin = Twin::of(kernel.geometry());
+    let part = if twin == Twin::Round { LN_2 } else { LN_2 / PI };
+    let waves = (LONGEST..=SHORTEST).map(|power| f64::from(power).exp2() / half_length);
+    let of = |zeta: f64| kernel.closed(zeta) * (-BELL * (zeta * half_length).powi(2)).exp() * twin.measure(zeta);
+    part * waves.map(of).sum::<f64>()
 }
 
 /// Half-lengths in units of L, from the top down.
@@ -74,9 +119,10 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
 fn half_length(problem: &Problem, contact: usize, compliance: fn(&Kernel, f64) -> f64) -> Option<f64> {
     match &problem.sides[contact] {
         Side::Joined(half_length) => Some(*half_length),
-        Side::Profile(profile) => {
-            Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance)))
-        }
+        Side::Profile(profile) => match problem.prescribed {
+            Some(Prescribed::HalfLength(half_length)) => Some(half_length),
+            _ => Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance))),
+        },
         _ => None,
     }
 }
@@ -145,6 +191,11 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force_on`] is 1, or next to the edge of a
 /// punch under which it is 1 nowhere.
 fn under_punch(kernel: &Kernel, profile: &PunchProfile, compliance: fn(&Kernel, f64) -> f64) -> f64 {
+    where_one(profile, |half_length| force_on(kernel, profile, half_length, compliance))
+}
+
+/// The half-length, no longer than the punch, at which something that grows with it is 1.
+fn where_one(profile: &PunchProfile, grows: impl Fn(f64) -> f64) -> f64 {
     // as far as doubles reach
     let longest = 300.0 * std::f64::consts::LN_10;
     let (mut low, mut high) = (-longest, profile.edge().map_or(longest, f64::ln));
@@ -152,10 +203,10 @@ fn under_punch(kernel: &Kernel, profile: &PunchProfile, compliance: fn(&Kernel, 
     let (mut x, mut slope) = (0.0_f64.min(high - 0.3), 2.0);
     let mut last: Option<(f64, f64)> = None;
     while high - low > COARSE {
-        let missing = match force_on(kernel, profile, x.exp(), compliance) {
+        let missing = match grows(x.exp()) {
             // where a profile falls, the force on a contact may be negative: far too little
-            force if force <= 0.0 => f64::INFINITY,
-            force => -force.ln(),
+            value if value <= 0.0 => f64::INFINITY,
+            value => -value.ln(),
         };
         if missing > 0.0 {
             low = x

@@ -1,17 +1,19 @@
 //! In which order lists of intervals to begin with are tried until one leads to an answer.
 //!
 //! 1. Where formulas of contact mechanics expect contacts ([`formulas`]), with few terms.
-//! 2. Where all is even: where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start.
+//! 2. Where all is even: where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start. Where the force is to be found it is not known
+//!    to the programme: where contacts are under the force that is expected.
 //! 3. Both again, with more terms.
 //! 4. Where all is even: the pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
 use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
-use crate::contact::intervals::{self, Refused};
-use crate::contact::problem::Problem;
+use crate::contact::intervals::{self, Intervals, Refused};
+use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::iteration::Work;
+use crate::contact::problem::{Prescribed, Problem};
 use crate::contact::programme;
 use crate::contact::starts::formulas;
-use crate::solution::Contact;
+use crate::solution::{Contact, Interval};
 
 /// What tells the list to begin with.
 #[derive(Clone, Copy)]
@@ -30,20 +32,39 @@ const TRIED: [(Start, usize); 6] = [
     (Start::Programme, 4),
 ];
 
+/// Where contacts are under the force that is expected to bring about what is prescribed: below the punch, as much longer or shorter as the contact of the punch is to be.
+fn under_expected_force(problem: &Problem) -> Option<Intervals> {
+    let given = Problem { prescribed: None, ..problem.on(problem.kernel, problem.interfaces, COARSE) };
+    let mut contacts = solve_in_order(&given).ok()?.contacts;
+    if let Some(Prescribed::HalfLength(half)) = problem.prescribed {
+        let found = contacts.first()?.half_length()?;
+        for contact in &mut contacts {
+            let Some(own) = contact.half_length() else { continue };
+            let half = half.hypot((own * own - found * found).max(0.0).sqrt());
+            contact.intervals = vec![Interval::new([-half, 0.0], [half, 0.0])];
+        }
+    }
+    intervals::of_contacts(problem, &contacts)
+}
+
 /// Presses punches or loads.
 ///
 /// # Errors
 /// [`NoSolution`], with the reason if one is known.
 pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> {
     let expected = formulas::half_lengths(problem);
-    // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be
-    if problem.too_small(&expected).is_some()
+    // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be under a given force
+    if problem.prescribed.is_none()
+        && problem.too_small(&expected).is_some()
         && let Some(error) = problem.too_small(&formulas::shortest(problem))
     {
         return Err(error);
     }
     let of_formulas = intervals::of_formulas(problem, &formulas::anywhere(problem));
     let ask = |far: f64| {
+        if problem.prescribed.is_some() {
+            return under_expected_force(problem).into_iter().collect();
+        }
         let active = if problem.is_even() { programme::active(problem, &expected, far) } else { None };
         intervals::of_programme(problem, &active.unwrap_or_default())
     };
@@ -56,7 +77,13 @@ pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> 
         };
         lists.iter().find_map(|list| intervals::solve(problem, list.clone(), finer, &mut refused, &mut work))
     });
-    let low = || if problem.is_even() { programme::answer(problem, &expected, refused.far) } else { None };
+    let low = || {
+        if problem.is_even() && problem.prescribed.is_none() {
+            programme::answer(problem, &expected, refused.far)
+        } else {
+            None
+        }
+    };
     let Some(answer) = solved.or_else(low) else {
         return Err(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
     };

@@ -1,0 +1,131 @@
+//! Means over the middle of contacts: of waves, and of profiles.
+//!
+//! With the weights (1 − t²)ⁿ the mean of cos λx over |x| < a, t = x/a, is Γ(ν + 1) (2/z)^ν J_ν(z), z = λa, with ν = n + 1/2; the mean of
+//! J₀(λr) over a disc is the same with ν = n + 1. Both fall so fast that a mean takes no part of waves that are short compared with the
+//! contact, which singular pressures and graded faces are rich in, and needs no closed forms. Source: Abramowitz and Stegun 1964, 9.1.20.
+use std::f64::consts::PI;
+
+use super::bessel::{self, Kind, Wanted};
+use super::quadrature;
+
+/// The power n of the weights.
+const FLAT: usize = 12;
+/// Next to z = 0 the mean of a wave less 1 is the sum of this many terms of a series; without cancellation up to there.
+const SERIES: f64 = 4.0;
+const TERMS: i32 = 16;
+/// Gauss points for the mean of a piece of a profile.
+const NODES: usize = 48;
+/// Windows are made the same where the binary logarithms of their half-lengths differ by less than this: a layer much thinner
+/// than these bends so easily that errors of pressures move both of its faces by far more than they bring them together.
+const ALIKE: f64 = 1.0;
+
+/// An interval over which displacements are averaged, and its mirror image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct MeanWindow {
+    pub(crate) middle: f64,
+    /// Half its length; the radius about an axis.
+    pub(crate) half: f64,
+}
+
+impl MeanWindow {
+    /// The wavenumber beyond which a mean has less of a wave than that, since |J_ν(z)| hardly exceeds √(2/πz).
+    pub(crate) fn last(&self, negligible: f64) -> f64 {
+        let order = FLAT as f64 + 0.5;
+        let largest = libm::tgamma(order + 1.0) / PI.sqrt();
+        2.0 * (largest / negligible).powf((order + 0.5).recip()) / self.half
+    }
+
+    /// The means of waves less 1, with the weights (1 − t²)ⁿ and with t² times these.
+    pub(crate) fn of_waves(&self, is_round: bool, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
+        let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half).collect();
+        let (count, first) = (arguments.len(), if is_round { FLAT + 1 } else { FLAT });
+        let mut table = vec![0.0; (first + 2) * count];
+        let kind = if is_round { Kind::Integer } else { Kind::Spherical };
+        bessel::scaled_orders(first + 2, Wanted::ALL.of_kind(kind), &arguments, 1.0, count, &mut table);
+        // Γ(ν + 1) (2/z)^ν J_ν, next to z = 0 as a series of q = −z²/4
+        let less_one = |i: usize, order: usize, z: f64| {
+            let b = order as f64 + if is_round { 1.0 } else { 1.5 };
+            if z < SERIES {
+                let q = -0.25 * z * z;
+                return (0..TERMS).rev().fold(0.0, |sum, k| q * (1.0 + sum) / (f64::from(k + 1) * (b + f64::from(k))));
+            }
+            let factor = |k: usize| if is_round { 2.0 * k as f64 / z } else { (2 * k + 1) as f64 / z };
+            (1..=order).map(factor).product::<f64>() * table[order * count + i] - 1.0
+        };
+        // ∫ t² w is the difference of two such integrals
+        let share = if is_round { FLAT as f64 + 2.0 } else { 2.0 * FLAT as f64 + 3.0 };
+        let of = |(i, (z, wavenumber)): (usize, (&f64, &f64))| {
+            let [mean, next] = [0, 1].map(|more| less_one(i, first + more, *z));
+            let means = [mean, share * mean - (share - 1.0) * next];
+            if self.middle == 0.0 {
+                return means;
+            }
+            // cos λx about another middle
+            let sin = (0.5 * wavenumber * self.middle).sin();
+            means.map(|mean| mean - 2.0 * sin * sin * (1.0 + mean))
+        };
+        arguments.iter().zip(wavenumbers).enumerate().map(of).collect()
+    }
+
+    /// The means of a profile with both weights; its pieces begin at these places.
+    pub(crate) fn of_profile(&self, is_round: bool, profile: impl Fn(f64) -> f64, starts: &[f64]) -> [f64; 2] {
+        // the other half of an interval about x = 0 is its mirror image
+        let first = if self.middle == 0.0 { 0.0 } else { -1.0 };
+        let mut ends: Vec<f64> = starts.iter().map(|start| (start - self.middle) / self.half).collect();
+        ends.retain(|t| *t > first && *t < 1.0);
+        ends.insert(0, first);
+        ends.push(1.0);
+        let [mut sums, mut weights] = [[0.0; 2]; 2];
+        for (t, weight) in ends.windows(2).flat_map(|pair| quadrature::rule(NODES).on(pair[0], pair[1])) {
+            let x = self.middle + self.half * t;
+            let around = if is_round { x } else { 1.0 };
+            let weight = weight * around * (1.0 - t * t).powi(FLAT as i32);
+            for (k, weight) in [weight, weight * t * t].into_iter().enumerate() {
+                sums[k] += weight * profile(x);
+                weights[k] += weight;
+            }
+        }
+        [sums[0] / weights[0], sums[1] / weights[1]]
+    }
+
+    /// Makes windows of neighbouring contacts that are nearly the same the same.
+    pub(crate) fn equalise(windows: &mut [Self]) {
+        for alike in windows.chunk_by_mut(|a, b| a.middle == b.middle && (a.half / b.half).log2().abs() < ALIKE) {
+            let least = alike.iter().fold(f64::INFINITY, |least, window| least.min(window.half));
+            alike.iter_mut().for_each(|window| window.half = least);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quadrature::rule;
+    use super::*;
+
+    #[test]
+    fn means_of_waves_are_integrals() {
+        for is_round in [false, true] {
+            let window = MeanWindow { middle: if is_round { 0.0 } else { 0.7 }, half: 0.5 };
+            for wavenumber in [1e-3, 0.8, 7.9, 8.1, 40.0] {
+                let [mut integrals, mut weights] = [[0.0; 2]; 2];
+                for (t, weight) in rule(60).on(if is_round { 0.0 } else { -1.0 }, 1.0) {
+                    let x = window.middle + window.half * t;
+                    let z = wavenumber * x.abs();
+                    let mut bessel = [0.0];
+                    bessel::table(1, &[z], &mut bessel);
+                    let (wave, around) = if is_round { (bessel[0], x.abs()) } else { (z.cos(), 1.0) };
+                    let weight = weight * around * (1.0 - t * t).powi(FLAT as i32);
+                    for (k, weight) in [weight, weight * t * t].into_iter().enumerate() {
+                        integrals[k] += weight * (wave - 1.0);
+                        weights[k] += weight;
+                    }
+                }
+                let means = window.of_waves(is_round, &[wavenumber])[0];
+                for (k, mean) in means.into_iter().enumerate() {
+                    let expected = integrals[k] / weights[k];
+                    assert!((mean - expected).abs() < 1e-13, "{is_round} {wavenumber} {k}: {mean} {expected}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! What is prescribed in place of a force.
+use std::fmt;
+
+/// What is prescribed in place of a force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Controlled {
+    /// The half-length of the contact under the punch.
+    HalfLength,
+    /// The approach of the punch: how far it sinks.
+    Approach,
+}
+
+impl Controlled {
+    /// The name of the field of a scene that says it.
+    pub(crate) fn field(self) -> &'static str {
+        match self {
+            Self::HalfLength => "half_length",
+            Self::Approach => "depth",
+        }
+    }
+}
+
+impl fmt::Display for Controlled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::HalfLength => "`half_length` of the contact under the punch",
+            Self::Approach => "approach of the punch",
+        })
+    }
+}
