@@ -56,6 +56,7 @@ mod parts;
 mod placed_punches;
 mod plies;
 mod plot;
+mod prescribed;
 mod profile;
 mod punches;
 mod reference;

@@ -29,7 +29,7 @@ pub(crate) struct Curves {
 
 type Key = (Top, u64, &'static str);
 
-/// Solutions at the forces, or half-lengths or depths, exp(k [`APART`]); none where there is none, or one with a warning.
+/// Solutions at the forces or depths exp(k [`APART`]), or at half-lengths half as far apart; none where there is none, or one with a warning.
 #[derive(Debug, Default)]
 struct Curve {
     points: Mutex<HashMap<i64, Arc<OnceLock<Option<Solution>>>>>,
@@ -81,14 +81,16 @@ impl Curve {
         force: Force,
         press: impl Fn(f64, Force) -> Result<Solution, ContactError>,
     ) -> Option<Solution> {
-        let place = force.number().ln() / APART;
+        // a force grows about as the square of a half-length
+        let apart = if let Force::ForHalfLength(_) = force { 0.5 * APART } else { APART };
+        let place = force.number().ln() / apart;
         let first = place.floor() as i64 - (POINTS / 2 - 1) as i64;
         let slots: Vec<Arc<OnceLock<Option<Solution>>>> = {
             let mut points = self.points.lock().unwrap_or_else(PoisonError::into_inner);
             (first..).take(POINTS).map(|k| points.entry(k).or_default().clone()).collect()
         };
         let solve = |k: i64| {
-            let solution = press((PART * tolerance).max(BEST), force.with((APART * k as f64).exp())).ok();
+            let solution = press((PART * tolerance).max(BEST), force.with((apart * k as f64).exp())).ok();
             solution.filter(|solution| solution.warnings.is_empty())
         };
         // those farthest away tell first where a curve ends

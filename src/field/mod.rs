@@ -28,7 +28,7 @@ use recede_layers::Wave;
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::FaceSide;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
-pub(crate) use pressure::variations;
+pub(crate) use pressure::EvenPressure;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;

@@ -14,11 +14,23 @@ const AT: f64 = 4.0 * f64::EPSILON;
 /// of more intervals the outermost ends: steps from one element to the next mean nothing, and each end takes a dozen points in every row.
 const APART: usize = 16;
 
-/// Resultant of the pressure of a contact that is even about a place, and its transform about that less the resultant, at some wavenumbers.
-pub(crate) fn variations(contact: &Contact, about: f64, wavenumbers: &[f64]) -> (f64, Vec<f64>) {
-    let pressure = ContactPressure::new(&contact.clone().moved(-about), true, about.abs());
-    let variations = pressure.transforms(wavenumbers).iter().map(|one| one.variation.re).collect();
-    (pressure.long_waves(0.0).re, variations)
+/// The pressure of a contact that is even about a place.
+pub(crate) struct EvenPressure(ContactPressure);
+
+impl EvenPressure {
+    pub(crate) fn new(contact: &Contact, about: f64) -> Self {
+        Self(ContactPressure::new(&contact.clone().moved(-about), true, about.abs()))
+    }
+
+    /// Its resultant; of a disc ∫ p r dr.
+    pub(crate) fn resultant(&self) -> f64 {
+        self.0.long_waves(0.0).re
+    }
+
+    /// Its transform about the place less the resultant, at some wavenumbers.
+    pub(crate) fn variations(&self, wavenumbers: &[f64]) -> impl Iterator<Item = f64> {
+        self.0.transforms(wavenumbers).into_iter().map(|one| one.variation.re)
+    }
 }
 
 /// A sum of strips.

@@ -1,6 +1,7 @@
 //! The pressure on one strip, about its middle: potentials in closed form.
 use std::f64::consts::{LN_2, PI};
 use std::iter::zip;
+use std::sync::OnceLock;
 
 use num_complex::Complex64;
 
@@ -23,8 +24,8 @@ pub(super) struct TabulatedStrip {
     pub(super) strip: Strip,
     /// The series of a disc as its potentials take it, see [`super::spheroid`].
     pub(super) by_order: Vec<f64>,
-    /// Amplitudes of p̂, see [`envelope`].
-    pub(super) envelope: Vec<f64>,
+    /// Amplitudes of p̂ once they are wanted, see [`envelope`].
+    envelope: OnceLock<Vec<f64>>,
 }
 
 impl TabulatedStrip {
@@ -46,14 +47,15 @@ impl TabulatedStrip {
         }
         let is_series_of_disc = strip.is_round && strip.form == Form::Series;
         let by_order = if is_series_of_disc { spheroid::by_order(&strip.weighted()) } else { Vec::new() };
-        Self { envelope: envelope(&strip), by_order, strip }
+        Self { envelope: OnceLock::new(), by_order, strip }
     }
 
     /// An amplitude of p̂ at a wavenumber; the amplitude of a line load is the same at all wavenumbers.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
         let sample = (wavenumber * self.strip.extent).log2() * 2.0;
-        let last = self.envelope.len().checked_sub(1).filter(|_| sample >= 0.0);
-        last.map_or(self.strip.long_waves(), |last| self.envelope[(sample as usize).min(last)])
+        let amplitudes = self.envelope.get_or_init(|| envelope(&self.strip));
+        let last = amplitudes.len().checked_sub(1).filter(|_| sample >= 0.0);
+        last.map_or(self.strip.long_waves(), |last| amplitudes[(sample as usize).min(last)])
     }
 
     /// The potentials at a place measured from the middle, and a depth; G_(−1) is 0 if it takes time and is not wanted. G_1 and G_2 are

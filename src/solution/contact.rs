@@ -162,31 +162,23 @@ impl Contact {
 
     /// The same in other units of length and pressure.
     pub(crate) fn scaled(self, length: f64, pressure: f64) -> Self {
-        let interval = |Interval { left, right, left_error, right_error, .. }: &Interval| {
-            Interval::new([left * length, left_error * length], [right * length, right_error * length])
-        };
-        let strips = self.strips.into_iter().map(|strip| strip.scaled(length, pressure)).collect();
-        let intervals = self.intervals.iter().map(interval).collect();
-        let about = self.about.map(|about| about * length);
-        Self::new(
-            self.interface,
-            intervals,
-            strips,
-            about,
-            self.middle_pressure.map(|own| own * pressure),
-            self.punches,
-        )
+        self.on(length, 0.0, pressure)
     }
 
     /// The same so much farther to the right.
     pub(crate) fn moved(self, by: f64) -> Self {
-        let interval = |Interval { left, right, left_error, right_error, .. }: &Interval| {
-            Interval::new([left + by, *left_error], [right + by, *right_error])
-        };
-        let strips = self.strips.into_iter().map(|strip| Strip { at: strip.at + by, ..strip }).collect();
-        let intervals = self.intervals.iter().map(interval).collect();
-        let about = self.about.map(|about| about + by);
-        Self::new(self.interface, intervals, strips, about, self.middle_pressure, self.punches)
+        self.on(1.0, by, 1.0)
+    }
+
+    /// With all places times a length and so much farther to the right, and pressures times another one.
+    fn on(self, length: f64, by: f64, pressure: f64) -> Self {
+        let end = |x: f64, error: f64| [x * length + by, error * length];
+        let interval = |own: &Interval| Interval::new(end(own.left, own.left_error), end(own.right, own.right_error));
+        let strip = |strip: Strip| Strip { at: strip.at * length + by, ..strip.scaled(length, pressure) };
+        let (intervals, about) = (self.intervals.iter().map(interval).collect(), self.about.map(|x| x * length + by));
+        let strips = self.strips.into_iter().map(strip).collect();
+        let middle_pressure = self.middle_pressure.map(|own| own * pressure);
+        Self::new(self.interface, intervals, strips, about, middle_pressure, self.punches)
     }
 
     /// The contact under each of several punches, from left to right; itself if there is one punch.

@@ -89,16 +89,19 @@ impl Contact {
         let middle = self.about.map_or(f64::NEG_INFINITY, pressure);
         let mut best = (first, middle);
         let by_rounding = 1.0 + 4.0 * f64::EPSILON;
+        let mut around = None;
         for strip in &self.strips {
             let places: Vec<f64> = strip.places().filter(|x| *x > first).collect();
             for (k, x) in places.iter().enumerate() {
                 let here = pressure(*x);
                 if here > best.1.max(0.0) * by_rounding {
-                    let around = |k: Option<usize>, end: f64| k.and_then(|k| places.get(k)).copied().unwrap_or(end);
-                    let (left, right) = (around(k.checked_sub(1), *x), around(Some(k + 1), *x));
-                    best = highest(&pressure, left, right, (*x, here));
+                    best = (*x, here);
+                    around = Some([places[k.saturating_sub(1)], *places.get(k + 1).unwrap_or(x)]);
                 }
             }
+        }
+        if let Some([left, right]) = around {
+            best = highest(&pressure, left, right, best);
         }
         // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
         for x in self.between_ends().filter(|x| *x > first) {

@@ -66,21 +66,21 @@ pub(crate) fn force_for_half_length(kernel: &Kernel, punch: &Punch, half_length:
     twin.total_force(if force.is_normal() && force > 0.0 { force } else { of_faces() }, kernel.modulus(), length)
 }
 
-/// The force, in the unit of the scene, under which a symmetric punch is expected to sink so far, and whether its contact is expected to end within the punch.
+/// The force, in the unit of the scene, under which a symmetric punch is expected to sink so far, and whether its contact is expected to reach the edge of the punch.
 pub(crate) fn force_for_depth(kernel: &Kernel, punch: &Punch, depth: f64) -> (f64, bool) {
     let (twin, length) = (Twin::of(kernel.geometry()), kernel.length());
     let (profile, depth) = (PunchProfile::new(punch, length, 1.0, twin), depth / length);
     let total = |force: f64| twin.total_force(force, kernel.modulus(), length);
     if let Some(half_length) = profile.flat() {
-        return (total(depth / moved(kernel, half_length)), true);
+        return (total(depth / moved(kernel, half_length)), false);
     }
     let sunk = |half_length: f64| {
         profile.height_above_lowest(MEAN * half_length)
             + force(kernel, &profile, half_length) * moved(kernel, half_length)
     };
     let half_length = where_one(&profile, |half_length| sunk(half_length) / depth);
-    let fits = profile.edge().is_none_or(|edge| sunk((1.0 - COARSE) * edge) > depth);
-    (total(force(kernel, &profile, half_length)), fits)
+    let is_small = profile.edge().is_some_and(|edge| sunk((1.0 - COARSE) * edge) <= depth);
+    (total(force(kernel, &profile, half_length)), is_small)
 }
 
 /// How far a pressure with P' = 1 on a contact, about as Hertz's, moves the faces of the closed stack towards each other about its middle, in units of L.
