@@ -239,7 +239,7 @@ fn sunk(profile: impl Fn(f64) -> f64, punch: &Punch, kernel: &Kernel, solution: 
     let mut sunk = windows.first().map_or([0.0; 2], |top| top.of_profile(is_round, |x| profile(x * length), &starts));
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
     let pressures: Vec<EvenPressure> = solution.contacts().iter().map(|own| EvenPressure::new(own, tip)).collect();
-    kernel.depth(&windows, &ends, NEGLIGIBLE, |own| {
+    kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {
         let wavenumbers: Vec<f64> = own.zeta.iter().map(|zeta| zeta / length).collect();
         let pressure = &pressures[own.contact];
         let variations: Vec<f64> = pressure.variations(&wavenumbers).collect();

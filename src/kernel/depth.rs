@@ -14,20 +14,20 @@ pub(crate) struct DepthWaves<'a> {
     pub(crate) contact: usize,
     /// Wavenumbers ζ.
     pub(crate) zeta: &'a [f64],
-    /// What ζ times the transform of the pressure less its resultant adds per unit of P' at each of them, by both means.
-    pub(crate) all: [Vec<f64>; 2],
+    /// What ζ times the transform of the pressure less its resultant adds per unit of P' at each of them, by each mean.
+    pub(crate) all: Vec<Vec<f64>>,
     /// The same of ζ times the resultant, which all contacts have in common.
-    pub(crate) resultant: [Vec<f64>; 2],
+    pub(crate) resultant: Vec<Vec<f64>>,
 }
 
 impl Kernel {
-    /// Hands out, stretch by stretch, the waves of all contacts that add to the depth of a punch more than `negligible` of what the longest ones do. Depths are means over windows, and
+    /// Hands out, stretch by stretch, the waves of all contacts that add to the depth of a punch more than `negligible` of what the longest ones do. Depths are the first of the means over windows, or both, and
     /// contacts reach as far as `ends` from the middle.
     pub(crate) fn depth(
         &self,
         windows: &[MeanWindow],
         ends: &[f64],
-        negligible: f64,
+        (negligible, count): (f64, usize),
         mut each: impl FnMut(&DepthWaves),
     ) {
         let seen: Vec<f64> = windows.iter().map(|window| window.last(negligible)).collect();
@@ -53,7 +53,7 @@ impl Kernel {
             for [from, to] in (0..parts).map(|part| [at(part), at(part + 1)]) {
                 let (zeta, weights): (Vec<f64>, Vec<f64>) = rule(needed.div_ceil(parts)).on(from, to).unzip();
                 self.values(&zeta, [from, to], &mut values);
-                self.weigh(windows, &felt, &values, [&zeta, &weights], &mut each);
+                self.weigh(windows, (&felt, count), &values, [&zeta, &weights], &mut each);
             }
             from = to;
         }
@@ -63,7 +63,7 @@ impl Kernel {
     fn weigh(
         &self,
         windows: &[MeanWindow],
-        felt: &[usize],
+        (felt, count): (&[usize], usize),
         values: &Values,
         [zeta, weights]: [&[f64]; 2],
         each: &mut impl FnMut(&DepthWaves),
@@ -80,7 +80,7 @@ impl Kernel {
         let nodes = || 0..zeta.len();
         for contact in felt.iter().copied() {
             let (own, common, kernel) = (&means[contact], &means[widest], values.equal_pressure(contact));
-            let all = [0, 1].map(|mean| {
+            let all = (0..count).map(|mean| {
                 let equal = |k: usize| kernel[k] * (1.0 + own[k][mean]);
                 // neighbours carry the same resultants, which do nothing between them
                 let bent = |k: usize| {
@@ -89,16 +89,16 @@ impl Kernel {
                     };
                     self.neighbours(contact).map(of).sum::<f64>()
                 };
-                nodes().map(|k| measures[k] * (equal(k) + bent(k))).collect()
+                nodes().map(|k| measures[k] * (equal(k) + bent(k))).collect::<Vec<f64>>()
             });
-            let resultant = [0, 1].map(|mean| {
+            let resultant = (0..count).map(|mean| {
                 // as far as the means are the same, equal resultants of all contacts do nothing but squeeze
                 let squeezed =
                     |k: usize| if contact == widest { values.squeezed()[k] * (1.0 + common[k][mean]) } else { 0.0 };
                 let differ = |k: usize| kernel[k] * (own[k][mean] - common[k][mean]);
-                nodes().map(|k| measures[k] * (differ(k) + squeezed(k))).collect()
+                nodes().map(|k| measures[k] * (differ(k) + squeezed(k))).collect::<Vec<f64>>()
             });
-            each(&DepthWaves { contact, zeta, all, resultant });
+            each(&DepthWaves { contact, zeta, all: all.collect(), resultant: resultant.collect() });
         }
     }
 

@@ -82,7 +82,7 @@ impl Equations<'_> {
                         self.add_columns(&rows, system, own, &places[own], &block);
                     }
                 }
-                system.right.left[row] += depth - sunk.height[0];
+                system.right.left[row] += depth - sunk.height;
             }
         }
     }

@@ -18,19 +18,17 @@ impl Equations<'_> {
             let end = |columns: &Columns| largest(columns.intervals.iter().map(ContactInterval::to));
             let ends: Vec<f64> = self.columns.iter().map(end).collect();
             let (kernel, mut sums) = (self.problem.kernel, Vec::new());
-            sums.extend(self.columns.iter().map(|columns| Mat::zeros(2, columns.rows())));
-            kernel.depth(&windows, &ends, self.layout.negligible, |own| {
+            sums.extend(self.columns.iter().map(|columns| Mat::zeros(1, columns.rows())));
+            kernel.depth(&windows, &ends, (self.layout.negligible, 1), |own| {
                 let columns = &self.columns[own.contact];
                 let waves = columns.waves(own.zeta, &kernel.workspace);
                 let long = columns.long_waves(own.zeta, &kernel.workspace);
-                for mean in 0..2 {
-                    let told = long.places.iter().copied().zip(long.values.all().test(&own.resultant[mean]));
-                    let tested = waves.all().test(&own.all[mean]).into_iter().enumerate();
-                    tested.chain(told).for_each(|(column, wave)| sums[own.contact][(mean, column)] += wave);
-                }
+                let told = long.places.iter().copied().zip(long.values.all().test(&own.resultant[0]));
+                let tested = waves.all().test(&own.all[0]).into_iter().enumerate();
+                tested.chain(told).for_each(|(column, wave)| sums[own.contact][(0, column)] += wave);
             });
             let profile = self.problem.sides[0].profile();
-            let height = profile.map_or([0.0; 2], |profile| profile.mean_height(&windows[0]));
+            let height = profile.map_or(0.0, |profile| profile.mean_height(&windows[0]));
             Sunk { by_columns: sums, height }
         })
     }

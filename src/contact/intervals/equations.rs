@@ -19,7 +19,7 @@ use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::short_waves::ShortWaves;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::waves::{AT_ONCE, Long};
-use crate::contact::problem::Problem;
+use crate::contact::problem::{Group, Problem};
 
 /// Numbers in columns at wavenumbers that are kept at most, 8 bytes each: others are made again where they are needed.
 const KEPT: usize = 1 << 21;
@@ -114,23 +114,19 @@ impl Told {
 
 /// What the depth of a punch follows from, in units of L and per unit of P'.
 pub(super) struct Sunk {
-    /// Of each contact two rows with what each column adds to it, by means with two sets of weights.
+    /// Of each contact a row with what each column adds to it.
     pub(super) by_columns: Vec<Mat<f64>>,
     /// How much higher than its lowest point the punch is about the middle of its contact.
-    pub(super) height: [f64; 2],
+    pub(super) height: f64,
 }
 
 impl Sunk {
-    /// The depth with some amplitudes of all columns, by both means: they differ by errors of the pressures.
-    pub(super) fn with(&self, amplitudes: &[Vec<f64>]) -> [f64; 2] {
-        let all = self.by_columns.iter().zip(amplitudes);
-        let sum = |mean: usize| {
-            let of = |(by, amplitudes): (&Mat<f64>, &Vec<f64>)| {
-                amplitudes.iter().enumerate().map(|(column, amplitude)| by[(mean, column)] * amplitude).sum::<f64>()
-            };
-            self.height[mean] + all.clone().map(of).sum::<f64>()
+    /// The depth with some amplitudes of all columns.
+    pub(super) fn with(&self, amplitudes: &[Vec<f64>]) -> f64 {
+        let of = |(by, amplitudes): (&Mat<f64>, &Vec<f64>)| {
+            amplitudes.iter().enumerate().map(|(column, amplitude)| by[(0, column)] * amplitude).sum::<f64>()
         };
-        [0, 1].map(sum)
+        self.height + self.by_columns.iter().zip(amplitudes).map(of).sum::<f64>()
     }
 }
 
@@ -206,34 +202,37 @@ impl<'a> Equations<'a> {
         if self.problem.is_known(contact) {
             return vec![Told { column: 0, known: 1.0, by_loads: vec![0.0; self.loads.len()] }];
         }
-        let (carried, groups) = (&columns.carried, self.problem.groups(contact));
-        let of = |(number, group): (usize, Range<usize>)| {
-            let (own, first) = (&groups[number], columns.first(group.start));
-            let is_carried = |load: &Load| contact > 0 || load.group() == number;
-            let unit = |load: &Load| if is_carried(load) { self.carried_by(*load) } else { [0.0; 2] };
-            let by_loads: Vec<[f64; 2]> = self.loads.iter().map(unit).collect();
-            // what is known is all less what the unknown loads have where they count from
-            let mut known = [own.share, own.moment.unwrap_or(0.0)];
-            for (load, unit) in self.loads.iter().zip(&by_loads) {
-                match load {
-                    Load::Force(_) => known.iter_mut().zip(unit).for_each(|(known, unit)| *known -= unit),
-                    Load::Moment(_) if is_carried(load) => known[1] += self.carried_by(Load::Force(load.group()))[1],
-                    Load::Moment(_) => {}
-                }
+        let groups = self.problem.groups(contact).into_iter().zip(&columns.groups).enumerate();
+        groups
+            .flat_map(|(number, (own, group))| self.told_of(contact, (number, &own), columns.first(group.start)))
+            .collect()
+    }
+
+    /// The columns whose amplitudes the resultant of a group of intervals tells, and its moment if nothing is even: the first ones.
+    fn told_of(&self, contact: usize, (number, own): (usize, &Group), first: usize) -> Vec<Told> {
+        let carried = &self.columns[contact].carried;
+        let is_carried = |load: &Load| contact > 0 || load.group() == number;
+        let unit = |load: &Load| if is_carried(load) { self.carried_by(*load) } else { [0.0; 2] };
+        let by_loads: Vec<[f64; 2]> = self.loads.iter().map(unit).collect();
+        // what is known is all less what the unknown loads have where they count from
+        let mut known = [own.share, own.moment.unwrap_or(0.0)];
+        for (load, unit) in self.loads.iter().zip(&by_loads) {
+            match load {
+                Load::Force(_) => known.iter_mut().zip(unit).for_each(|(known, unit)| *known -= unit),
+                Load::Moment(_) if is_carried(load) => known[1] += self.carried_by(Load::Force(load.group()))[1],
+                Load::Moment(_) => {}
             }
-            let resultant = |[resultant, _]: &[f64; 2]| *resultant;
-            let by = by_loads.iter().map(resultant).collect();
-            let resultant = Told { column: first, known: resultant(&known), by_loads: by };
-            let moment = self.moves.then(|| {
-                let about_first = |[resultant, moment]: &[f64; 2]| {
-                    (moment - resultant * carried[first][1]) * carried[first + 1][1].recip()
-                };
-                let by_loads = by_loads.iter().map(about_first).collect();
-                Told { column: first + 1, known: about_first(&known), by_loads }
-            });
-            std::iter::once(resultant).chain(moment)
-        };
-        columns.groups.iter().cloned().enumerate().flat_map(of).collect()
+        }
+        let by_resultants = by_loads.iter().map(|[resultant, _]| *resultant).collect();
+        let mut told = vec![Told { column: first, known: known[0], by_loads: by_resultants }];
+        if self.moves {
+            let about_first = |[resultant, moment]: &[f64; 2]| {
+                (moment - resultant * carried[first][1]) * carried[first + 1][1].recip()
+            };
+            let by_loads = by_loads.iter().map(about_first).collect();
+            told.push(Told { column: first + 1, known: about_first(&known), by_loads });
+        }
+        told
     }
 
     /// Resultant and moment about x = 0 of an unknown load, per unit of it: a force acts in the middle of the first interval where the moment is counted from there.

@@ -5,7 +5,7 @@ use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::intervals::system::{Rows, Unknowns};
 use crate::contact::problem::Prescribed;
-use crate::numeric::{dot, largest};
+use crate::numeric::dot;
 
 impl Equations<'_> {
     /// The amplitudes of all columns of all contacts, the first ones of which tell resultants and moments; 1 of a given pressure.
@@ -118,22 +118,22 @@ impl Equations<'_> {
         Some(missed)
     }
 
-    /// By how much pressures without what is singular at some ends miss a depth that is prescribed, by two means that differ by errors of the pressures, relative.
+    /// By how much pressures without what is singular at some ends miss a depth that is prescribed, relative.
     pub(super) fn missed(&self, solved: &Solved, without: &[bool]) -> f64 {
         let Some(Prescribed::Depth(depth)) = self.problem.prescribed else { return 0.0 };
         let mut regular = solved.clone();
         let ends = regular.pressures.iter_mut().flat_map(|pressure| &mut pressure.singular);
         ends.zip(without).filter(|(_, without)| **without).for_each(|(q, _)| *q = 0.0);
         let places = self.places();
-        let depths = self.sunk().with(&self.amplitudes_of(&places, &self.unknowns(&places, &regular)));
-        largest(depths.map(|own| (own / depth - 1.0).abs()))
+        let own = self.sunk().with(&self.amplitudes_of(&places, &self.unknowns(&places, &regular)));
+        (own / depth - 1.0).abs()
     }
 
     /// What is missing of what is prescribed of the punch in place of its force.
     fn unmet(&self, places: &[Places], amplitudes: &[Vec<f64>], unknowns: &Unknowns) -> Vec<f64> {
         let of = |prescribed| match prescribed {
             Prescribed::HalfLength(_) => -unknowns.q[self.prescribed_end(places)],
-            Prescribed::Depth(depth) => depth - self.sunk().with(amplitudes)[0],
+            Prescribed::Depth(depth) => depth - self.sunk().with(amplitudes),
         };
         self.problem.prescribed.map(of).into_iter().collect()
     }

@@ -111,10 +111,10 @@ impl<'a> PunchProfile<'a> {
         self.height(x) - self.shape.lowest() / (self.length * self.force)
     }
 
-    /// How much higher than the lowest point the profile is on average about the middle of its contact, by both means, per unit of P'.
-    pub(crate) fn mean_height(&self, window: &MeanWindow) -> [f64; 2] {
+    /// How much higher than the lowest point the profile is on average about the middle of its contact, per unit of P'.
+    pub(crate) fn mean_height(&self, window: &MeanWindow) -> f64 {
         let starts: Vec<f64> = self.shape.starts().iter().map(|start| start / self.length).collect();
-        window.of_profile(self.twin == Twin::Round, |x| self.height_above_lowest(x), &starts)
+        window.of_profile(self.twin == Twin::Round, |x| self.height_above_lowest(x), &starts)[0]
     }
 
     /// Slope at x (in units of L), per unit of P'.
