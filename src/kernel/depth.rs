@@ -31,7 +31,7 @@ impl Kernel {
         mut each: impl FnMut(&DepthWaves),
     ) {
         let seen: Vec<f64> = windows.iter().map(|window| window.last(negligible)).collect();
-        // beyond its window a contact is felt through couplings alone
+        // beyond its window a contact counts through couplings alone
         let reach = |contact: usize| {
             let through = self.neighbours(contact).map(|(other, laminate)| {
                 let half = windows[contact].half.min(windows[other].half);
@@ -42,18 +42,18 @@ impl Kernel {
         let reaches: Vec<f64> = (0..windows.len()).map(reach).collect();
         let (mut from, mut values) = (0.0, Values::default());
         loop {
-            let felt: Vec<usize> = (0..windows.len()).filter(|contact| from < reaches[*contact]).collect();
-            let Some(last) = felt.iter().map(|contact| reaches[*contact]).reduce(f64::min) else { return };
+            let counted: Vec<usize> = (0..windows.len()).filter(|contact| from < reaches[*contact]).collect();
+            let Some(last) = counted.iter().map(|contact| reaches[*contact]).reduce(f64::min) else { return };
             let panel = self.panels.get(self.panels.partition_point(|panel| panel.to <= from));
             let to = panel.map_or(2.0 * from.max(1.0), |panel| panel.to).min(last);
-            let farthest = felt.iter().map(|contact| ends[*contact]).fold(0.0, f64::max);
+            let farthest = counted.iter().map(|contact| ends[*contact]).fold(0.0, f64::max);
             let needed = quadrature::points(2.0 * farthest * (to - from), -negligible.log10());
             let parts = needed.div_ceil(LARGEST);
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             for [from, to] in (0..parts).map(|part| [at(part), at(part + 1)]) {
                 let (zeta, weights): (Vec<f64>, Vec<f64>) = rule(needed.div_ceil(parts)).on(from, to).unzip();
                 self.values(&zeta, [from, to], &mut values);
-                self.weigh(windows, (&felt, count), &values, [&zeta, &weights], &mut each);
+                self.weigh(windows, (&counted, count), &values, [&zeta, &weights], &mut each);
             }
             from = to;
         }
@@ -63,7 +63,7 @@ impl Kernel {
     fn weigh(
         &self,
         windows: &[MeanWindow],
-        (felt, count): (&[usize], usize),
+        (counted, count): (&[usize], usize),
         values: &Values,
         [zeta, weights]: [&[f64]; 2],
         each: &mut impl FnMut(&DepthWaves),
@@ -78,7 +78,7 @@ impl Kernel {
         }
         let widest = (0..windows.len()).max_by(|a, b| windows[*a].half.total_cmp(&windows[*b].half)).unwrap_or(0);
         let nodes = || 0..zeta.len();
-        for contact in felt.iter().copied() {
+        for contact in counted.iter().copied() {
             let (own, common, kernel) = (&means[contact], &means[widest], values.equal_pressure(contact));
             let all = (0..count).map(|mean| {
                 let equal = |k: usize| kernel[k] * (1.0 + own[k][mean]);
