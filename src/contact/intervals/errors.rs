@@ -1,5 +1,4 @@
 //! How well ends and pressures are known.
-use crate::contact::intervals::equations::Solved;
 use crate::contact::intervals::gaps::Signs;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::steps::{SHORT, looks};
@@ -47,9 +46,7 @@ impl Errors {
             [own[number] - some[number], some[number] - few[number]].map(|change| (change / size(number)).abs())
         };
         let changes: Vec<[f64; 2]> = (0..all.len()).map(differ).collect();
-        let [own, some, few] =
-            [&level.solved, &level.coarser[0], &level.coarser[1]].map(|solved: &Solved| solved.force);
-        let of_force = [own - some, some - few].map(|change| change / own);
+        let of_force = level.force_changes();
         // next to graded faces changes fall like a power
         let least = match level.graded.contains(&true) {
             // under a kink, or where terms do not resolve the layers at the faces, changes may be small by chance
@@ -161,6 +158,12 @@ impl Errors {
 }
 
 impl Approximation {
+    /// By how much the last third of the terms changes the force, and the third before, relative.
+    fn force_changes(&self) -> [f64; 2] {
+        let [own, some, few] = [&self.solved, &self.coarser[0], &self.coarser[1]].map(|solved| solved.force);
+        [own - some, some - few].map(|change| change / own)
+    }
+
     /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing
     /// depends on an end.
     pub(super) fn moves(&self) -> Vec<[f64; 2]> {
