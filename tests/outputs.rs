@@ -368,7 +368,16 @@ fn rows_and_their_picture_are_two_files() {
 /// A sweep that does not end by itself, as soon as some rows are there.
 fn endless(out: &Path) -> Child {
     let mut child = Command::new(env!("CARGO_BIN_EXE_recede"))
-        .args(["sweep", SCENE, "--vary", "force=0.001:0.002:10000000", "--out", text(out)])
+        .args([
+            "sweep",
+            SCENE,
+            "--vary",
+            "punch.radius=500:501:1000",
+            "--vary",
+            "force=0.001:0.002:10000",
+            "--out",
+            text(out),
+        ])
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
@@ -387,7 +396,20 @@ fn two_sweeps_do_not_write_one_file() {
     let mut first = endless(&rows);
     for (out, more) in [(&rows, &[][..]), (&rows, &["--resume"]), (&link, &[]), (&link, &["--resume"])] {
         let run = recede(
-            &[&["sweep", SCENE, "--vary", "force=0.001:0.002:10000000", "--out", text(out)], more].concat(),
+            &[
+                &[
+                    "sweep",
+                    SCENE,
+                    "--vary",
+                    "punch.radius=500:501:1000",
+                    "--vary",
+                    "force=0.001:0.002:10000",
+                    "--out",
+                    text(out),
+                ],
+                more,
+            ]
+            .concat(),
             b"",
         );
         assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
@@ -408,7 +430,7 @@ fn two_sweeps_do_not_write_one_file() {
     next.wait().unwrap();
     let file = BufReader::new(File::open(&rows).unwrap());
     let forces = file.lines().skip(1).map(|line| line.unwrap()).filter(|line| line.contains("solved"));
-    let forces: Vec<f64> = forces.map(|line| line.split(',').next().unwrap().parse().unwrap()).collect();
+    let forces: Vec<f64> = forces.map(|line| line.split(',').nth(1).unwrap().parse().unwrap()).collect();
     assert!(forces.is_sorted());
 }
 

@@ -348,7 +348,7 @@ fn a_sweep_can_be_a_file() {
     let error = refused(&format!("{scene}vary: [Linear(path: \"force\", start: 1, stop: 2, cont: 3)])"));
     assert!(error.contains("stdin:1:") && error.contains("did you mean `count`?"), "{error}");
     let error = refused(&format!("{scene}vary: [List(path: \"force\", values: [])])"));
-    assert!(error.contains("`force`: found 0 values, allowed are 1 to 100000000"), "{error}");
+    assert!(error.contains("`force`: found 0 values, allowed are 1 to 1000000"), "{error}");
     let error = refused(&format!("{scene}vary: [], tolerance: 1)"));
     assert!(error.contains("tolerance: found 1.0"), "{error}");
     let error = refused("Sweep(scene: \"nowhere.ron\", vary: [])");
@@ -413,10 +413,10 @@ fn a_sweep_without_any_stack_is_refused() {
 /// A billion rows begin at once, alone and on several threads, and are those of small grids.
 #[test]
 fn a_large_grid_begins_at_once() {
-    let axes = ["layer[2].beta=-2:-1:100000000", "punch.radius=500:1000:10"];
+    let axes = ["layer[2].beta=-2:-1:1000000", "punch.radius=500:1000:1000"];
     let sweep = Arc::new(sweep(&axes));
     assert_eq!(sweep.len(), 1_000_000_000);
-    let small = self::sweep(&["layer[2].beta=[-2]", "punch.radius=500:1000:10"]);
+    let small = self::sweep(&["layer[2].beta=[-2]", "punch.radius=500:1000:1000"]);
     let few = |rows: &mut dyn Iterator<Item = recede::SweepRow>| {
         rows.take(3).map(|row| row.result.unwrap().contacts()[0].half_length().unwrap()).collect::<Vec<_>>()
     };
@@ -428,7 +428,7 @@ fn a_large_grid_begins_at_once() {
     assert_eq!(sweep.rows_in(999_999_999..1_000_000_000).map(|row| row.values).collect::<Vec<_>>(), [[-1.0, 1000.0]]);
     // of what is drawn there is no more than of a small grid
     let drawn = (0..1_000_000).filter(|row| recede::plot::is_drawn(&sweep, *row)).count();
-    assert_eq!(drawn, 10);
+    assert_eq!(drawn, 100);
     assert!((0..small.len()).all(|row| recede::plot::is_drawn(&small, row)));
 }
 

@@ -1,20 +1,19 @@
 //! What varies in a sweep, and over which values.
-mod decimal;
-mod range;
-
 use std::fmt;
 use std::hash::Hasher;
 use std::str::FromStr;
 
-use range::{Range, Spacing};
-
 /// Most values of one axis.
-const LONGEST: usize = 100_000_000;
+const LONGEST: usize = 1_000_000;
+/// Digits of the decimals that one writes.
+const DIGITS: i32 = 12;
+/// Bounds of the rounding errors of a value: at equal distances as a part of the larger end, at equal ratios of the value.
+const ROUNDING: [f64; 2] = [4.0 * f64::EPSILON, 1e-14];
 
 /// A quantity of the scene by its path, and the values that it takes.
 ///
-/// Values at equal distances are those that one would write in decimals: each is the number nearest to the exact value
-/// between the decimals `start` and `stop`.
+/// Values between two ends are the ones that one would write: where a decimal of up to 12 digits differs by rounding errors only,
+/// the value is the number nearest to the decimal.
 ///
 /// ```
 /// use recede::Axis;
@@ -33,14 +32,11 @@ const LONGEST: usize = 100_000_000;
 #[cfg_attr(feature = "files", derive(serde::Deserialize), serde(try_from = "WrittenAxis"))]
 pub struct Axis {
     path: String,
-    values: Values,
-}
-
-/// A range is kept as its ends, so that it takes no more memory with more values.
-#[derive(Clone, Debug, PartialEq)]
-enum Values {
-    List(Vec<f64>),
-    Range(Range),
+    /// As on a command line, behind the equals sign.
+    written: String,
+    values: Vec<f64>,
+    /// Numbers of the values, the smallest value first.
+    sorted: Vec<usize>,
 }
 
 impl Axis {
@@ -51,7 +47,7 @@ impl Axis {
     pub fn list(path: &str, values: Vec<f64>) -> Result<Self, AxisError> {
         match values.iter().find(|value| !value.is_finite()) {
             Some(value) => Err(AxisError::new(path, format!("found the value {value:?}, allowed are finite numbers"))),
-            None => Self::of(path, Values::List(values)),
+            None => Self::of(path, format!("{values:?}"), values.len(), |index| values[index]),
         }
     }
 
@@ -60,7 +56,9 @@ impl Axis {
     /// # Errors
     /// [`AxisError`] if a number is not finite, or `count` is 0, or is 1 and `start` is not `stop`.
     pub fn linear(path: &str, start: f64, stop: f64, count: usize) -> Result<Self, AxisError> {
-        Self::between(path, [start, stop], count, Spacing::Linear)
+        let size = start.abs().max(stop.abs());
+        let value = |share: f64| start * (1.0 - share) + stop * share;
+        Self::between(path, [start, stop], count, "", |share| decimal(value(share), size, ROUNDING[0] * size))
     }
 
     /// `count` values from `start` to `stop`, both included, at equal ratios.
@@ -72,26 +70,45 @@ impl Axis {
             let reason = format!("found {start:?} to {stop:?}, allowed are positive numbers where ratios are equal");
             return Err(AxisError::new(path, reason));
         }
-        Self::between(path, [start, stop], count, Spacing::Logarithmic)
+        let value = |share: f64| 10f64.powf(start.log10() * (1.0 - share) + stop.log10() * share);
+        Self::between(path, [start, stop], count, ":log", |share| {
+            let value = value(share);
+            decimal(value, value, ROUNDING[1] * value)
+        })
     }
 
-    fn between(path: &str, [start, stop]: [f64; 2], count: usize, spacing: Spacing) -> Result<Self, AxisError> {
+    /// Values between two ends, which are met exactly; `value` tells one from its part of the way from the first to the last.
+    fn between(
+        path: &str,
+        [start, stop]: [f64; 2],
+        count: usize,
+        end: &str,
+        value: impl Fn(f64) -> f64,
+    ) -> Result<Self, AxisError> {
         if !start.is_finite() || !stop.is_finite() {
             return Err(AxisError::new(path, format!("found {start:?} to {stop:?}, allowed are finite numbers")));
         }
         if count == 1 && start != stop {
             return Err(AxisError::new(path, format!("found 1 value for {start:?} to {stop:?}")));
         }
-        Self::of(path, Values::Range(Range { ends: [start, stop], count, spacing }))
+        Self::of(path, format!("{start:?}:{stop:?}:{count}{end}"), count, |index| match index {
+            0 => start,
+            _ if index + 1 == count => stop,
+            _ => value(index as f64 / (count - 1) as f64),
+        })
     }
 
-    fn of(path: &str, values: Values) -> Result<Self, AxisError> {
-        let axis = Self { path: path.to_owned(), values };
-        match axis.count() {
-            _ if path.is_empty() => Err(AxisError::new(path, "the path of a quantity is missing")),
-            1..=LONGEST => Ok(axis),
-            count => Err(AxisError::new(path, format!("found {count} values, allowed are 1 to {LONGEST}"))),
+    fn of(path: &str, written: String, count: usize, value: impl Fn(usize) -> f64) -> Result<Self, AxisError> {
+        if path.is_empty() {
+            return Err(AxisError::new(path, "the path of a quantity is missing"));
         }
+        if !(1..=LONGEST).contains(&count) {
+            return Err(AxisError::new(path, format!("found {count} values, allowed are 1 to {LONGEST}")));
+        }
+        let values: Vec<f64> = (0..count).map(value).collect();
+        let mut sorted: Vec<usize> = (0..count).collect();
+        sorted.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+        Ok(Self { path: path.to_owned(), written, values, sorted })
     }
 
     /// The path of the quantity, e.g. `layer[2].beta`.
@@ -99,56 +116,40 @@ impl Axis {
         &self.path
     }
 
-    /// The values, in order, each computed on demand.
+    /// The values, in order.
     pub fn values(&self) -> impl ExactSizeIterator<Item = f64> {
-        (0..self.count()).map(|index| self.at(index))
+        self.values.iter().copied()
     }
 
     /// The value with this number, from 0; `None` beyond the last.
     pub fn value(&self, index: usize) -> Option<f64> {
-        (index < self.count()).then(|| self.at(index))
+        self.values.get(index).copied()
     }
 
     /// Number of values, 1 or more.
     pub(crate) fn count(&self) -> usize {
-        match &self.values {
-            Values::List(values) => values.len(),
-            Values::Range(range) => range.count,
-        }
+        self.values.len()
     }
 
     /// The value with a number below [`Self::count`].
     pub(super) fn at(&self, index: usize) -> f64 {
-        match &self.values {
-            Values::List(values) => values[index],
-            Values::Range(range) => range.at(index),
-        }
+        self.values[index]
     }
 
     /// The number of the value that is this one bit by bit; `None` if there is none, or more than one.
     pub(super) fn index_of(&self, value: f64) -> Option<usize> {
-        let candidates = match &self.values {
-            Values::List(values) => 0..values.len(),
-            Values::Range(range) => range.near(value),
-        };
-        let mut found = candidates.filter(|index| self.at(*index).to_bits() == value.to_bits());
-        found.next().filter(|_| found.next().is_none())
+        let first = self.sorted.partition_point(|index| self.at(*index).total_cmp(&value).is_lt());
+        let mut found = self.sorted[first..].iter().take_while(|index| self.at(**index).to_bits() == value.to_bits());
+        found.next().copied().filter(|_| found.next().is_none())
     }
 
     /// The smallest value, the one nearest to zero, and the largest, each once. What is legal is an interval for every
     /// quantity that ships, so that these tell of the others; and a thickness vanishes at the one nearest to zero or not at
     /// all.
     pub(super) fn extremes(&self) -> Vec<f64> {
-        let candidates: Box<dyn Iterator<Item = usize>> = match &self.values {
-            Values::List(values) => Box::new(0..values.len()),
-            Values::Range(range) => Box::new(range.near_extremes()),
-        };
-        let start = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY];
-        let extremes = candidates.map(|index| self.at(index)).fold(start, |[least, nearest, most], value| {
-            let nearest = if value.abs() < f64::abs(nearest) { value } else { nearest };
-            [least.min(value), nearest, most.max(value)]
-        });
-        let mut extremes = extremes.to_vec();
+        let smaller = |a: f64, b: f64| if b.abs() < a.abs() { b } else { a };
+        let [least, most] = [0, self.count() - 1].map(|place| self.at(self.sorted[place]));
+        let mut extremes = vec![least, self.values().fold(least, smaller), most];
         extremes.dedup();
         extremes
     }
@@ -156,11 +157,19 @@ impl Axis {
     /// Adds this axis to a fingerprint.
     pub(super) fn write_to(&self, hasher: &mut impl Hasher) {
         hasher.write(format!("{}={}", self.path, self.count()).as_bytes());
-        match &self.values {
-            Values::List(values) => values.iter().for_each(|value| hasher.write_u64(value.to_bits())),
-            Values::Range(range) => hasher.write(range.to_string().as_bytes()),
-        }
+        self.values().for_each(|value| hasher.write_u64(value.to_bits()));
     }
+}
+
+/// The decimal whose last digit is the twelfth of a number of this size, if it differs from the value by rounding errors at most, or else the
+/// value.
+fn decimal(value: f64, size: f64, rounding: f64) -> f64 {
+    if value.abs() <= rounding {
+        return 0.0;
+    }
+    let digits = DIGITS + (value.abs().log10().floor() - size.log10().floor()) as i32;
+    let written: f64 = format!("{value:.*e}", (digits - 1).max(0) as usize).parse().unwrap_or(value);
+    if (written - value).abs() <= rounding { written } else { value }
 }
 
 impl FromStr for Axis {
@@ -200,10 +209,7 @@ impl FromStr for Axis {
 
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.values {
-            Values::List(values) => write!(f, "{}={values:?}", self.path),
-            Values::Range(range) => write!(f, "{}={range}", self.path),
-        }
+        write!(f, "{}={}", self.path, self.written)
     }
 }
 
@@ -270,27 +276,67 @@ mod tests {
     }
 
     #[test]
-    fn what_an_axis_takes_does_not_grow_with_its_values() {
-        let axis: Axis = "force=1:2:100000000".parse().unwrap();
-        assert_eq!((axis.values().len(), axis.value(99_999_999), axis.value(100_000_000)), (LONGEST, Some(2.0), None));
-        assert_eq!(axis.to_string(), "force=1.0:2.0:100000000");
+    fn an_axis_is_written_as_it_is_read() {
+        let axis: Axis = "force=1:2:1000000".parse().unwrap();
+        assert_eq!((axis.values().len(), axis.value(999_999), axis.value(1_000_000)), (LONGEST, Some(2.0), None));
+        assert_eq!(axis.to_string(), "force=1.0:2.0:1000000");
         assert_eq!("force=1:1000:7:log".parse::<Axis>().unwrap().to_string(), "force=1.0:1000.0:7:log");
+        assert_eq!("force=[1, 0.1]".parse::<Axis>().unwrap().to_string(), "force=[1.0, 0.1]");
     }
 
     #[test]
-    fn extremes_are_those_of_all_values() {
+    fn a_grid_of_decimals_has_their_values() {
+        // start and step as decimals, so that each value is one too
+        for places in 0..=9 {
+            for start in [-250i64, -31, -3, 0, 1, 2, 7, 15, 99, 1_000_000] {
+                for step in [1i64, 2, 3, 5, 7, 11, 25, 250, 999] {
+                    for last in [1i64, 2, 3, 6, 7, 10, 40, 99] {
+                        let decimal = |number: i64| format!("{number}e-{places}").parse::<f64>().unwrap();
+                        let expected = (0..=last).map(|i| decimal(start + step * i));
+                        let axis =
+                            Axis::linear("force", decimal(start), decimal(start + step * last), last as usize + 1);
+                        assert!(axis.unwrap().values().eq(expected), "{start} {step} {last} {places}");
+                    }
+                }
+            }
+        }
+        assert_eq!(values("force=1e-300:1e300:7:log")[3..5], [1.0, 1e100]);
+    }
+
+    #[test]
+    fn values_that_are_no_decimals_are_at_equal_distances() {
+        for last in [3usize, 7, 9, 11, 97, 999_999] {
+            let axis = Axis::linear("force", 0.0, 1.0, last + 1).unwrap();
+            for (index, value) in axis.values().enumerate() {
+                assert!((value - index as f64 / last as f64).abs() <= f64::EPSILON);
+            }
+        }
+    }
+
+    #[test]
+    fn ends_of_any_size_are_no_hindrance() {
+        let between = |start: f64, stop: f64, last: usize| Axis::linear("force", start, stop, last + 1).unwrap().at(1);
+        assert_eq!(between(-f64::MAX, f64::MAX, 2), 0.0);
+        assert_eq!(between(f64::MAX, f64::MAX, 2), f64::MAX);
+        assert_eq!(between(5e-324, 1.5e-323, 2), 1e-323);
+        assert_eq!(between(1e-300, 1e300, 4), 2.5e299);
+        assert_eq!(between(0.0, 0.0, 3), 0.0);
+    }
+
+    #[test]
+    fn extremes_are_found_among_all_values() {
         let extremes = |text: &str| text.parse::<Axis>().unwrap().extremes();
         assert_eq!(extremes("force=[3, -1, 2, 0.5]"), [-1.0, 0.5, 3.0]);
         assert_eq!(extremes("force=-1:2:4"), [-1.0, 0.0, 2.0]);
         assert_eq!(extremes("force=2:-1:1001"), [-1.0, -0.001, 2.0]);
         assert_eq!(extremes("force=5:1:9"), [1.0, 5.0]);
-        assert_eq!(extremes("force=0.1:10:100000000:log"), [0.1, 10.0]);
+        assert_eq!(extremes("force=0.1:10:1000000:log"), [0.1, 10.0]);
         assert_eq!(extremes("force=2:2:1"), [2.0]);
     }
 
     #[test]
     fn a_value_is_found_if_it_is_there_once() {
-        for text in ["force=1:2:100000000", "force=2:-1:3001", "force=1000:0.003:99999:log", "force=[3, -0.0, 2]"] {
+        for text in ["force=1:2:1000000", "force=2:-1:3001", "force=1000:0.003:99999:log", "force=[3, -0.0, 2]"] {
             let axis: Axis = text.parse().unwrap();
             let last = axis.count() - 1;
             for index in [0, 1, 2, last / 7, last / 3, last / 2, last - 1, last].map(|index| index.min(last)) {
@@ -312,7 +358,7 @@ mod tests {
         assert_eq!(refused("force=1:x:3"), "a number is expected, found `x`");
         assert_eq!(refused("force=1:2:3.5"), "COUNT is a whole number, found `3.5`");
         assert_eq!(refused("force=1:2:-1"), "COUNT is a whole number, found `-1`");
-        assert_eq!(refused("force=1:2:0"), "found 0 values, allowed are 1 to 100000000");
+        assert_eq!(refused("force=1:2:0"), "found 0 values, allowed are 1 to 1000000");
         assert_eq!(refused("force=1:2:1"), "found 1 value for 1.0 to 2.0");
         assert_eq!(refused("force=0:2:3:log"), "found 0.0 to 2.0, allowed are positive numbers where ratios are equal");
         assert_eq!(refused("force=1:inf:3"), "found 1.0 to inf, allowed are finite numbers");
