@@ -83,7 +83,7 @@ described!(PolynomialHeights in "[height, height, ...], one or more finite numbe
 #[serde(try_from = "Vec<(Finite, Finite)>", into = "Vec<(Finite, Finite)>")]
 pub struct Heights {
     rows: Vec<(Finite, Finite)>,
-    /// The pieces of the curve; of an even curve only the pieces of x ≥ 0.
+    /// The pieces of the curve.
     pieces: Vec<Piece>,
 }
 
@@ -95,8 +95,8 @@ pub(super) struct RoundHeights(pub(super) Heights);
 impl Heights {
     /// The pieces of the curve as a profile.
     pub(super) fn shape(&self) -> Shape<'_> {
-        let is_even = self.pieces.first().is_none_or(|first| first.start == 0.0);
-        Shape::Pieces { pieces: Cow::Borrowed(&self.pieces), is_even, end: self.rows.last().map(|(x, _)| x.get()) }
+        let end = self.rows.last().map_or(f64::INFINITY, |(x, _)| x.get());
+        Shape::Pieces { pieces: Cow::Borrowed(&self.pieces), end }
     }
 }
 

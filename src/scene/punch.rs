@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
-use super::shape::{Piece, Shape};
+use super::shape::{Piece, Shape, even};
 use super::text::written;
 use super::value::ValueError;
 use super::wedge::Wedge;
@@ -227,9 +227,9 @@ impl Punch {
                 Shape::Powers { length: 1.0, terms: vec![(1.0, mean)], tilt, end: None }
             }
             Self::RoundedFlat { half_width, radius } => {
-                let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
-                let corner = Piece { start: half_width.get(), coefficients: [0.0, 0.0, 0.5 / radius.get(), 0.0] };
-                Shape::Pieces { pieces: vec![flat, corner].into(), is_even: true, end: None }
+                let corner = Piece::starting(half_width.get(), [0.0, 0.0, 0.5 / radius.get(), 0.0]);
+                let pieces = even(&[Piece::starting(0.0, [0.0; 4]), corner], f64::INFINITY);
+                Shape::Pieces { pieces: pieces.into(), end: f64::INFINITY }
             }
             Self::Flat { half_width } => Shape::Flat(half_width.get()),
             Self::Table(heights) => heights.shape(),

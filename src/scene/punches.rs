@@ -139,8 +139,7 @@ impl Pressed {
 
     /// The two ends of its flat part, or twice the place of its tip: an interval that no other punch can touch, whatever the forces.
     pub(crate) fn face(&self) -> [f64; 2] {
-        // the flat part of an uneven profile need not be at its tip
-        let half = if self.shape.is_even() { self.shape.shape().flat() } else { 0.0 };
+        let half = self.shape.shape().flat();
         [self.at() - half, self.at() + half]
     }
 

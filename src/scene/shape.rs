@@ -21,30 +21,49 @@ pub(crate) enum Shape<'a> {
     Flat(f64),
     /// Cubic polynomials one after the other.
     Pieces {
-        /// The polynomials, from left to right; of an even profile from x = 0 on.
+        /// The polynomials, from left to right, with a start at the tip.
         pieces: Cow<'a, [Piece]>,
-        /// Whether the left is the mirror image of the right.
-        is_even: bool,
-        /// Where the last one ends, in length; `None` if it does not.
-        end: Option<f64>,
+        /// Where the last one ends, in length; infinite if it does not.
+        end: f64,
     },
 }
 
-/// The height Σ c_k (x − start)^k, k = 0, 1, 2, 3, from `start` to where the next piece starts.
+/// The height Σ c_k (x − about)^k, k = 0, 1, 2, 3, from `start` to where the next piece starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Piece {
-    /// Where the piece begins, in length.
+    /// Where the piece begins, in length; −∞ if it has no end on the left.
     pub(crate) start: f64,
+    /// The place about which the powers are, in length.
+    pub(crate) about: f64,
     /// c_k, in length^(1 − k).
     pub(crate) coefficients: [f64; 4],
 }
 
 impl Piece {
-    /// The slope as a polynomial in y = x − start − t: the coefficients of 1, y and y².
-    pub(crate) fn slopes(&self, t: f64) -> [f64; 3] {
-        let [_, c1, c2, c3] = self.coefficients;
+    /// The piece with powers about its start.
+    pub(crate) fn starting(start: f64, coefficients: [f64; 4]) -> Self {
+        Self { start, about: start, coefficients }
+    }
+
+    /// The slope as a polynomial in y = x − place: the coefficients of 1, y and y².
+    pub(crate) fn slopes(&self, place: f64) -> [f64; 3] {
+        let ([_, c1, c2, c3], t) = (self.coefficients, place - self.about);
         [c1 + t * (2.0 * c2 + 3.0 * c3 * t), 2.0 * c2 + 6.0 * c3 * t, 3.0 * c3]
     }
+
+    /// The mirror image of the piece about x = 0 if the piece ends there.
+    fn mirrored(&self, end: f64) -> Self {
+        let [c0, c1, c2, c3] = self.coefficients;
+        Self { start: -end, about: -self.about, coefficients: [c0, -c1, c2, -c3] }
+    }
+}
+
+/// An even profile, from left to right, by its right half from x = 0 to `end`; pieces without length are left out.
+pub(crate) fn even(right: &[Piece], end: f64) -> Vec<Piece> {
+    let ends = right.iter().skip(1).map(|piece| piece.start).chain([end]);
+    let inside: Vec<(&Piece, f64)> = right.iter().zip(ends).filter(|(piece, end)| piece.start < *end).collect();
+    let left = inside.iter().rev().map(|(piece, end)| piece.mirrored(*end));
+    left.chain(inside.iter().map(|(piece, _)| **piece)).collect()
 }
 
 impl Shape<'_> {
@@ -81,10 +100,7 @@ impl Shape<'_> {
             Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => sign * f64::INFINITY,
             Self::Flat(_) => 0.0,
             Self::Circle(radius) => sign * (x.abs() / radius / cosine(x / radius)),
-            Self::Pieces { is_even, .. } => {
-                let slope = self.piece(x, |t, [_, c1, c2, c3]| c1 + t * (2.0 * c2 + t * 3.0 * c3));
-                if *is_even { sign * slope } else { slope }
-            }
+            Self::Pieces { .. } => self.piece(x, |t, [_, c1, c2, c3]| c1 + t * (2.0 * c2 + t * 3.0 * c3)),
         }
     }
 
@@ -108,7 +124,10 @@ impl Shape<'_> {
     pub(crate) fn is_even(&self) -> bool {
         match self {
             Self::Powers { tilt, .. } => *tilt == 0.0,
-            Self::Pieces { is_even, .. } => *is_even,
+            Self::Pieces { pieces, end } => {
+                let right = &pieces[pieces.partition_point(|piece| piece.start < 0.0)..];
+                even(right, *end)[..] == pieces[..]
+            }
             Self::Circle(_) | Self::Flat(_) => true,
         }
     }
@@ -117,28 +136,25 @@ impl Shape<'_> {
     pub(crate) fn edge(&self) -> Option<f64> {
         match self {
             Self::Circle(edge) | Self::Flat(edge) => Some(*edge),
-            Self::Pieces { is_even: false, .. } => {
+            Self::Pieces { .. } => {
                 let [left, right] = self.ends();
                 Some(0.5 * (right - left)).filter(|half| half.is_finite())
             }
-            Self::Powers { end, .. } | Self::Pieces { end, .. } => *end,
+            Self::Powers { end, .. } => *end,
         }
     }
 
     /// Where the profile ends on the left and on the right, in length; infinite where it does not.
     pub(crate) fn ends(&self) -> [f64; 2] {
         match self {
-            Self::Pieces { pieces, is_even: false, end } => {
-                let first = pieces.first().map_or(f64::NEG_INFINITY, |piece| piece.start);
-                [first, end.unwrap_or(f64::INFINITY)]
-            }
+            Self::Pieces { pieces, end } => [pieces.first().map_or(f64::NEG_INFINITY, |piece| piece.start), *end],
             _ => self.edge().map_or([f64::NEG_INFINITY, f64::INFINITY], |edge| [-edge, edge]),
         }
     }
 
     /// The last place x > 0 at which the profile falls, in length; 0 if it falls nowhere.
     pub(crate) fn last_fall(&self) -> f64 {
-        self.falls().last().copied().unwrap_or(0.0)
+        self.falls().last().map_or(0.0, |last| last.max(0.0))
     }
 
     /// The smallest height: at x = 0, or where a fall ends.
@@ -146,7 +162,7 @@ impl Shape<'_> {
         self.falls().into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
     }
 
-    /// Places x > 0, ascending, among which are the last ones of all falls; of a power also where falls begin.
+    /// Places, ascending, among which are the last ones of all falls from left to right; of a power those of x > 0, and also where falls begin.
     fn falls(&self) -> Vec<f64> {
         match self {
             Self::Powers { length, terms, end, .. } => {
@@ -155,27 +171,27 @@ impl Shape<'_> {
             }
             Self::Circle(_) | Self::Flat(_) => Vec::new(),
             Self::Pieces { pieces, end, .. } => {
-                let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([end.unwrap_or(f64::INFINITY)]);
-                pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end - piece.start)).collect()
+                let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([*end]);
+                pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end)).collect()
             }
         }
     }
 
-    /// Where the pieces begin of which the profile consists, from left to right, of an even one from x = 0 outwards; none if it is one piece.
+    /// Where the pieces begin of which the profile consists, from left to right; none if it is one piece.
     pub(crate) fn starts(&self) -> Vec<f64> {
         let Self::Pieces { pieces, .. } = self else { return Vec::new() };
         pieces.iter().map(|piece| piece.start).collect()
     }
 
-    /// Half-length that any contact exceeds: the half-length of the flat part.
+    /// Half-length that any contact exceeds: the half-length of the flat part of an even profile, 0 if there is none.
     pub(crate) fn flat(&self) -> f64 {
         match self {
-            Self::Pieces { pieces, .. } => {
-                let risen = pieces.iter().find(|piece| piece.coefficients[1..].iter().any(|c| *c != 0.0));
-                risen.map_or(0.0, |piece| piece.start)
+            Self::Pieces { pieces, .. } if self.is_even() => {
+                let is_level = |piece: &Piece| piece.coefficients[1..].iter().all(|c| *c == 0.0);
+                pieces.iter().find(|piece| piece.start >= 0.0 && !is_level(piece)).map_or(0.0, |piece| piece.start)
             }
             Self::Flat(edge) => *edge,
-            Self::Powers { .. } | Self::Circle(_) => 0.0,
+            Self::Pieces { .. } | Self::Powers { .. } | Self::Circle(_) => 0.0,
         }
     }
 
@@ -194,29 +210,32 @@ impl Shape<'_> {
         terms.iter().fold(0.0, |highest: f64, (exponent, _)| highest.max(*exponent))
     }
 
+    /// A value of the piece at x; between two pieces, of the piece farther from the tip.
     fn piece(&self, x: f64, value: impl Fn(f64, [f64; 4]) -> f64) -> f64 {
-        let Self::Pieces { pieces, is_even, .. } = self else { return 0.0 };
-        let x = if *is_even { x.abs() } else { x };
-        let after = pieces.partition_point(|piece| piece.start <= x);
+        let Self::Pieces { pieces, .. } = self else { return 0.0 };
+        let after = pieces.partition_point(|piece| piece.start < x || piece.start == x && x >= 0.0);
         let piece = pieces.get(after.saturating_sub(1));
-        piece.map_or(0.0, |piece| value(x - piece.start, piece.coefficients))
+        piece.map_or(0.0, |piece| value(x - piece.about, piece.coefficients))
     }
 }
 
 impl Piece {
-    /// The last place at which the piece falls if it is this long, by more than rounding does.
-    pub(super) fn last_fall(&self, length: f64) -> Option<f64> {
+    /// The last place at which the piece falls, by more than rounding does, if it ends there.
+    pub(super) fn last_fall(&self, end: f64) -> Option<f64> {
         const ROUNDING: f64 = 1e-12;
-        let [_, c1, c2, c3] = self.coefficients;
-        let slope = |t: f64| c1 + t * (2.0 * c2 + t * 3.0 * c3);
+        let length = end - self.start;
         if length.is_infinite() {
             return None;
         }
+        // the slope is a parabola
+        let [c1, double, triple] = self.slopes(self.start);
+        let (c2, c3) = (0.5 * double, triple / 3.0);
+        let slope = |t: f64| c1 + t * (2.0 * c2 + t * 3.0 * c3);
         let zero = -ROUNDING * (c1.abs() + length * (c2.abs() + length * c3.abs()));
         if slope(length) < zero {
-            return Some(self.start + length);
+            return Some(end);
         }
-        // the slope is a parabola in t: where it is least, and its root beyond
+        // where it is least, and its root beyond
         let least = if c3 > 0.0 { (-c2 / (3.0 * c3)).clamp(0.0, length) } else { 0.0 };
         let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
         let turn = if c2 > 0.0 { -c1 / (root + c2) } else { (root - c2) / (3.0 * c3) };
@@ -302,19 +321,21 @@ mod tests {
             close(end.unwrap(), 2.0 * b.sqrt());
         }
         let rows = [(0.0, 0.0), (1.0, 0.1), (2.0, 0.05), (3.0, 0.5), (4.0, 1.6)];
-        let table = Shape::Pieces { pieces: smooth(&rows).into(), is_even: true, end: Some(4.0) };
+        let table = Shape::Pieces { pieces: smooth(&rows).into(), end: 4.0 };
         let lowest = table.last_fall();
         assert!((1.0..3.0).contains(&lowest) && table.slope(lowest).abs() < 1e-14 && table.curvature(lowest) > 0.0);
-        let falling = Shape::Pieces { pieces: smooth(&[(0.0, 1.0), (1.0, 0.0)]).into(), is_even: true, end: Some(1.0) };
+        let falling = Shape::Pieces { pieces: smooth(&[(0.0, 1.0), (1.0, 0.0)]).into(), end: 1.0 };
         assert_eq!(falling.last_fall(), 1.0);
     }
 
     #[test]
     fn flat_parts_are_found() {
-        let flat = Piece { start: 0.0, coefficients: [0.0; 4] };
-        let round = Piece { start: 2.0, coefficients: [0.0, 0.0, 0.5, 0.0] };
-        assert_eq!(Shape::Pieces { pieces: vec![flat, round].into(), is_even: true, end: None }.flat(), 2.0);
-        assert_eq!(Shape::Pieces { pieces: vec![round].into(), is_even: true, end: None }.flat(), 2.0);
+        let [flat, round] = [(0.0, 0.0), (2.0, 0.5)].map(|(start, c)| Piece::starting(start, [0.0, 0.0, c, 0.0]));
+        for right in [&[flat, round][..], &[Piece::starting(0.0, round.coefficients)]] {
+            let shape = Shape::Pieces { pieces: even(right, f64::INFINITY).into(), end: f64::INFINITY };
+            assert!(shape.is_even() && shape.ends() == [f64::NEG_INFINITY, f64::INFINITY]);
+            assert_eq!(shape.flat(), right[right.len() - 1].start);
+        }
         assert_eq!(Shape::Circle(1.0).flat(), 0.0);
     }
 }

@@ -1,9 +1,9 @@
 //! Smooth curves through the heights of a table.
-use super::shape::Piece;
+use super::shape::{Piece, even};
 
 /// A smooth curve through (x, height), x increasing, with 0, the tip, among them: the cubic spline, and where that would fall away from the tip
-/// though the heights do not, cubic polynomials that do not either. From the tip on the curve is even; with heights on both sides that rise away
-/// from it, it is level there.
+/// though the heights do not, cubic polynomials that do not either. Without heights on the left of the tip the curve is even; with heights on both
+/// sides that rise away from the tip, it is level there.
 pub(super) fn smooth(rows: &[(f64, f64)]) -> Vec<Piece> {
     let tip = rows.iter().position(|(x, _)| *x == 0.0).unwrap_or(0);
     let right = &rows[tip..];
@@ -20,7 +20,8 @@ pub(super) fn smooth(rows: &[(f64, f64)]) -> Vec<Piece> {
         limit_falls(&left, &mut images);
         slopes = joined(&images, &slopes[tip..]);
     }
-    hermite(rows, &slopes, rows.get(tip).map_or(0.0, |(_, height)| *height))
+    let pieces = hermite(rows, &slopes, rows.get(tip).map_or(0.0, |(_, height)| *height));
+    if tip > 0 { pieces } else { even(&pieces, rows.last().map_or(0.0, |(x, _)| *x)) }
 }
 
 /// Whether heights do not fall.
@@ -31,7 +32,7 @@ fn rise(rows: &[(f64, f64)]) -> bool {
 /// Limits slopes on the right of the tip if the curve would fall though the heights do not.
 fn limit_falls(rows: &[(f64, f64)], slopes: &mut [f64]) {
     let ends = rows.iter().skip(1).map(|(x, _)| x);
-    let falls = |(piece, end): (&Piece, &f64)| piece.last_fall(end - piece.start).is_some();
+    let falls = |(piece, end): (&Piece, &f64)| piece.last_fall(*end).is_some();
     if rise(rows) && hermite(rows, slopes, 0.0).iter().zip(ends).any(falls) {
         limit(rows, slopes);
     }
@@ -60,7 +61,7 @@ fn hermite(rows: &[(f64, f64)], slopes: &[f64], tip: f64) -> Vec<Piece> {
         let [m0, m1] = [slopes[i], slopes[i + 1]];
         let second = (3.0 * secant - 2.0 * m0 - m1) / step;
         let third = (m0 + m1 - 2.0 * secant) / (step * step);
-        Piece { start: pair[0].0, coefficients: [pair[0].1 - tip, m0, second, third] }
+        Piece::starting(pair[0].0, [pair[0].1 - tip, m0, second, third])
     };
     rows.windows(2).enumerate().map(piece).collect()
 }
@@ -122,14 +123,14 @@ mod tests {
         let height = |x: f64| 0.3 + 0.5 * x * x + 0.25 * x.powi(3);
         let rows: Vec<(f64, f64)> = [0.0, 0.3, 0.5, 1.1, 1.2].iter().map(|x| (*x, height(*x))).collect();
         for rows in [&rows[..], &rows[..3]] {
-            let shape = Shape::Pieces { pieces: smooth(rows).into(), is_even: true, end: None };
+            let shape = Shape::Pieces { pieces: smooth(rows).into(), end: f64::INFINITY };
             for x in [0.0, 0.1, 0.42, 0.5] {
                 assert!((shape.height(x) - height(x) + 0.3).abs() < 1e-15, "{x}");
                 assert!((shape.slope(-x) + x + 0.75 * x * x).abs() < 1e-14, "{x}");
                 assert!((shape.curvature(x) - 1.0 - 1.5 * x).abs() < 1e-13, "{x}");
             }
         }
-        let two = Shape::Pieces { pieces: smooth(&[(0.0, 0.0), (2.0, 3.0)]).into(), is_even: true, end: None };
+        let two = Shape::Pieces { pieces: smooth(&[(0.0, 0.0), (2.0, 3.0)]).into(), end: f64::INFINITY };
         assert!((two.height(1.0) - 0.75).abs() < 1e-15);
     }
 
@@ -137,7 +138,7 @@ mod tests {
     fn between_its_points_a_spline_is_smooth() {
         let rows: Vec<(f64, f64)> = (0..12).map(|i| (0.1 * f64::from(i), (0.17 * f64::from(i * i)).sin())).collect();
         let pieces = smooth(&rows);
-        for (i, (pair, row)) in pieces.windows(2).zip(&rows[1..]).enumerate() {
+        for (i, (pair, row)) in pieces[rows.len() - 1..].windows(2).zip(&rows[1..]).enumerate() {
             let step = pair[1].start - pair[0].start;
             let [c0, c1, c2, c3] = pair[0].coefficients;
             let [d0, d1, d2, _] = pair[1].coefficients;
@@ -149,7 +150,7 @@ mod tests {
 
     #[test]
     fn on_either_side_of_the_tip_a_curve_is_as_smooth_and_falls_as_little() {
-        let shape = |rows: &[(f64, f64)]| Shape::Pieces { pieces: smooth(rows).into(), is_even: false, end: None };
+        let shape = |rows: &[(f64, f64)]| Shape::Pieces { pieces: smooth(rows).into(), end: f64::INFINITY };
         for rows in [
             &[(-1.0, 0.4), (0.0, 0.1), (2.0, 0.3)][..],
             &[(-2.0, 1.0), (-1.0, 1e-9), (0.0, 0.0), (1.5, 0.01), (2.0, 0.4), (2.5, 3.0)],
@@ -190,7 +191,7 @@ mod tests {
         ] {
             let pieces = smooth(rows);
             let end = rows[rows.len() - 1].0;
-            let shape = Shape::Pieces { pieces: pieces.into(), is_even: true, end: Some(end) };
+            let shape = Shape::Pieces { pieces: pieces.into(), end };
             assert_eq!(shape.last_fall(), 0.0);
             for (x, height) in rows {
                 assert!((shape.height(*x) - height + rows[0].1).abs() <= 1e-14 * height);

@@ -58,8 +58,8 @@ impl Slopes {
         let all = pieces.iter().zip(after).filter(|(_, end)| *end > first).map(|(piece, _)| piece);
         for piece in all.take_while(|piece| piece.start < middle + half) {
             let start = piece.start.max(first);
-            let old = before.replace(piece).map_or([0.0; 3], |before| before.slopes(start - before.start));
-            let new = piece.slopes(start - piece.start);
+            let old = before.replace(piece).map_or([0.0; 3], |before| before.slopes(start));
+            let new = piece.slopes(start);
             let [j0, j1, j2]: [f64; 3] = from_fn(|n| (new[n] - old[n]) * half.powi(n as i32) / force);
             let begins = step == 1 && start == first;
             let cos = if begins { -1.0 } else { (start - middle) / half };
@@ -119,11 +119,9 @@ impl PunchProfile<'_> {
             Shape::Powers { .. } if span.step == 2 => {
                 self.powers(span.half).for_each(|(power, slope)| slopes.add_power(power, slope));
             }
-            Shape::Pieces { pieces, is_even, .. } if self.twin == Twin::Plane => {
+            Shape::Pieces { pieces, .. } if self.twin == Twin::Plane => {
                 let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
-                let mut all = if *is_even && span.step == 1 { mirrored(pieces, half - middle) } else { Vec::new() };
-                all.extend_from_slice(pieces);
-                slopes.add_pieces(&all, Span { middle, half, ..span }, self.force);
+                slopes.add_pieces(pieces, Span { middle, half, ..span }, self.force);
             }
             shape => {
                 let phase = (span.step * count) as f64 + shape.degree();
@@ -154,21 +152,20 @@ impl PunchProfile<'_> {
     /// Where the profile is not smooth inside an interval, from left to right, in the unit of the scene; powers go to the tip cell by cell.
     fn not_smooth(&self, span: Span) -> Vec<f64> {
         let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
-        let (right, is_mirrored): (Vec<f64>, bool) = match &self.shape {
-            Shape::Pieces { pieces, is_even, .. } => (pieces.iter().map(|piece| piece.start).collect(), *is_even),
+        let right: Vec<f64> = match &self.shape {
             Shape::Powers { .. } if !self.shape.is_smooth() => {
-                (halves(middle.abs() + half).take(1 + TIP_CELLS).collect(), true)
+                halves(middle.abs() + half).take(1 + TIP_CELLS).collect()
             }
             // where a circle ends its slope is infinite: from there twice as far each time
             Shape::Circle(radius) if self.twin == Twin::Plane => {
                 let nearest = (radius - middle.abs() - half).max(f64::EPSILON * radius);
                 let distances = std::iter::successors(Some(2.0 * nearest), |distance| Some(2.0 * distance));
-                (distances.take_while(|distance| distance < radius).map(|distance| radius - distance).collect(), true)
+                distances.take_while(|distance| distance < radius).map(|distance| radius - distance).collect()
             }
-            Shape::Powers { .. } | Shape::Circle(_) | Shape::Flat(_) => (Vec::new(), false),
+            Shape::Powers { .. } | Shape::Circle(_) | Shape::Flat(_) | Shape::Pieces { .. } => Vec::new(),
         };
-        let left = right.iter().map(|x| -x).filter(|_| is_mirrored);
-        let mut all: Vec<f64> = left.chain(right.iter().copied()).collect();
+        let mut all: Vec<f64> =
+            right.iter().map(|x| -x).chain(right.iter().copied()).chain(self.shape.starts()).collect();
         let first = if span.step == 2 { 0.0 } else { middle - half };
         all.retain(|x| *x > first && *x < middle + half);
         all.sort_by(f64::total_cmp);
@@ -257,14 +254,16 @@ impl PunchProfile<'_> {
 /// The same for polynomials: ∫ f'(t sin φ) dφ, and ∫ g(t sin φ) dφ with g = (r f')' = e_0 + e_1 r + e_2 r² in each piece.
 fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 2] {
     let [mut whole, mut value] = [0.0; 2];
-    for (i, Piece { start, coefficients: [_, c1, c2, c3] }) in pieces.iter().enumerate() {
+    // the left half is the mirror image of the right one
+    let right = &pieces[pieces.partition_point(|piece| piece.start < 0.0)..];
+    for (i, Piece { start, coefficients: [_, c1, c2, c3], .. }) in right.iter().enumerate() {
         if *start >= t {
             break;
         }
         // f' in powers of r, and g
         let d = [c1 - 2.0 * c2 * start + 3.0 * c3 * start * start, 2.0 * c2 - 6.0 * c3 * start, 3.0 * c3];
         let e = [d[0], 2.0 * d[1], 3.0 * d[2]];
-        let end = pieces.get(i + 1).map_or(t, |next| next.start.min(t));
+        let end = right.get(i + 1).map_or(t, |next| next.start.min(t));
         let at = |r: f64| {
             let sin = (r / t).min(1.0);
             (sin.asin(), sin, ((1.0 - sin) * (1.0 + sin)).sqrt())
@@ -277,20 +276,6 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 2] {
         value += e[0] * angle + linear + e[2] * square;
     }
     [whole, value]
-}
-
-/// The mirror images of pieces, from left to right, as far as −`end`.
-fn mirrored(pieces: &[Piece], end: f64) -> Vec<Piece> {
-    let ends = pieces.iter().skip(1).map(|piece| piece.start.min(end)).chain([end]);
-    let inside = pieces.iter().zip(ends).filter(|(piece, end)| piece.start < *end);
-    let image = |(Piece { start, coefficients: [c0, c1, c2, c3] }, end): (&Piece, f64)| {
-        let t = end - start;
-        let [slope, curvature] = [c1 + t * (2.0 * c2 + 3.0 * t * c3), c2 + 3.0 * t * c3];
-        Piece { start: -end, coefficients: [c0 + t * (c1 + t * (c2 + t * c3)), -slope, curvature, -c3] }
-    };
-    let mut all: Vec<Piece> = inside.map(image).collect();
-    all.reverse();
-    all
 }
 
 /// A length, and then each half as long as the one before.
