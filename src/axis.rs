@@ -7,8 +7,8 @@ use std::str::FromStr;
 const LONGEST: usize = 1_000_000;
 /// Digits of the decimals that one writes.
 const DIGITS: i32 = 12;
-/// Bounds of the rounding errors of a value: at equal distances as a part of the larger end, at equal ratios of the value.
-const ROUNDING: [f64; 2] = [4.0 * f64::EPSILON, 1e-14];
+/// Bound of the rounding errors of a value, as a part of the larger end; where ratios are equal, of the value and of the logarithms of both ends.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A quantity of the scene by its path, and the values that it takes.
 ///
@@ -58,7 +58,7 @@ impl Axis {
     pub fn linear(path: &str, start: f64, stop: f64, count: usize) -> Result<Self, AxisError> {
         let size = start.abs().max(stop.abs());
         let value = |share: f64| start * (1.0 - share) + stop * share;
-        Self::between(path, [start, stop], count, "", |share| decimal(value(share), size, ROUNDING[0] * size))
+        Self::between(path, [start, stop], count, "", |share| decimal(value(share), size, ROUNDING * size))
     }
 
     /// `count` values from `start` to `stop`, both included, at equal ratios.
@@ -71,9 +71,10 @@ impl Axis {
             return Err(AxisError::new(path, reason));
         }
         let value = |share: f64| 10f64.powf(start.log10() * (1.0 - share) + stop.log10() * share);
+        let rounding = ROUNDING * (1.0 + start.ln().abs() + stop.ln().abs());
         Self::between(path, [start, stop], count, ":log", |share| {
             let value = value(share);
-            decimal(value, value, ROUNDING[1] * value)
+            decimal(value, value, rounding * value)
         })
     }
 
@@ -308,7 +309,7 @@ mod tests {
         for last in [3usize, 7, 9, 11, 97, 999_999] {
             let axis = Axis::linear("force", 0.0, 1.0, last + 1).unwrap();
             for (index, value) in axis.values().enumerate() {
-                assert!((value - index as f64 / last as f64).abs() <= f64::EPSILON);
+                assert!((value - index as f64 / last as f64).abs() <= ROUNDING);
             }
         }
     }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use crate::field::{FULL, FaceSide, Field, FieldError, FieldPoint, Precision};
 use crate::geometry::Geometry;
 use crate::scene::Top;
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Interval, Solution};
 use crate::stack::Stack;
 
 /// A profile that is not told how far to go goes to this many times the end of the farthest contact.
@@ -87,29 +87,33 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     places.extend(each.iter().flatten().flat_map(Contact::touching));
     let mut faces = faces(&field, &places, &FULL)?;
     let mut touching = x.len();
-    let contacts = solution.contacts().iter().zip(&each).map(|(contact, each)| {
-        let first = touching;
-        touching += 2 * each.len();
-        let is_known =
+    let mut contacts = Vec::new();
+    for (contact, each) in solution.contacts().iter().zip(&each) {
+        let known =
             contact.interface != Interface::Punch || top.punches().is_some_and(|all| all.parts().count() == each.len());
-        let gap_of = |(k, body): (usize, &Contact)| -> Option<Vec<f64>> {
+        let of = |(k, body): (usize, &Contact)| {
             let apart = heights(top, &field, &faces, contact.interface, k, &places)?;
-            let [(from, begin), (to, end)] = [0, 1].map(|side| first + 2 * k + side).map(|q| (places[q], apart[q]));
-            let turn = if from < to { (end - begin) / (to - from) } else { 0.0 };
-            let touches = |x: f64| body.intervals().iter().any(|one| one.left <= x && x <= one.right);
-            let gap = |(x, apart): (&f64, &f64)| if touches(*x) { 0.0 } else { apart - (begin + turn * (x - from)) };
-            Some(x.iter().zip(&apart).map(gap).collect())
+            let [begin, end] = [0, 1].map(|side| touching + 2 * k + side).map(|q| (places[q], apart[q]));
+            Some(gap(x, &apart, body.intervals(), [begin, end]))
         };
         // to the nearest of several punches
-        let gaps = each.iter().enumerate().filter(|_| is_known).map(gap_of).collect::<Option<Vec<_>>>();
+        let gaps = each.iter().enumerate().filter(|_| known).map(of).collect::<Option<Vec<_>>>();
         let nearest = |one: Vec<f64>, other: Vec<f64>| one.iter().zip(&other).map(|(a, b)| a.min(*b)).collect();
-        let gap = gaps.and_then(|gaps| gaps.into_iter().reduce(nearest));
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
-        ContactProfile { interface: contact.interface, pressure, gap }
-    });
-    let contacts = contacts.collect();
+        let gap = gaps.and_then(|gaps| gaps.into_iter().reduce(nearest));
+        contacts.push(ContactProfile { interface: contact.interface, pressure, gap });
+        touching += 2 * each.len();
+    }
     faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
     Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
+}
+
+/// A gap at places along x by how much higher one body is there, counted from the straight line through two places where they touch.
+fn gap(x: &[f64], apart: &[f64], intervals: &[Interval], [(from, begin), (to, end)]: [(f64, f64); 2]) -> Vec<f64> {
+    let turn = if from < to { (end - begin) / (to - from) } else { 0.0 };
+    let touches = |x: f64| intervals.iter().any(|one| one.left <= x && x <= one.right);
+    let gap = |(x, apart): (&f64, &f64)| if touches(*x) { 0.0 } else { apart - (begin + turn * (x - from)) };
+    x.iter().zip(apart).map(gap).collect()
 }
 
 /// The faces of all layers at places along x.

@@ -142,7 +142,7 @@ impl<'a> Between<'a> {
     }
 
     fn value(&self, of: impl Fn(&Solution) -> f64) -> f64 {
-        self.number(of)[0]
+        self.points.iter().zip(&self.row).map(|(point, part)| part * of(point)).sum()
     }
 
     /// A number between with its error.
@@ -218,9 +218,7 @@ impl<'a> Between<'a> {
             }
             sums
         };
-        let number = |own: &dyn Fn(&Strip) -> f64| -> f64 {
-            self.points.iter().zip(&self.row).map(|(point, part)| part * own(of(point))).sum()
-        };
+        let number = |own: &dyn Fn(&Strip) -> f64| self.value(|point| own(&point.contacts[i].strips[k]));
         let one = of(self.points[POINTS / 2]);
         Strip {
             at: number(&|strip| strip.at),

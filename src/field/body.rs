@@ -124,40 +124,43 @@ pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
 impl LoadedBody {
     /// The bodies from the top down; a rigid base without layers is not one of them.
     pub(super) fn all(stack: &Stack, layers: &[PlacedLayer], pressures: &[ContactPressure], modulus: f64) -> Vec<Self> {
-        let plane = stack.plane();
         let system = BlockSystem::new(stack);
         let laminates = FreeChain::all(&system).into_iter().map(Chain::Free);
         let chains = laminates.chain([Chain::Base(BaseChain::of(&system))]);
-        let bodies = chains.enumerate().filter_map(|(i, chain)| {
-            let from = layers.partition_point(|placed| placed.body < i);
-            let own = from..layers.partition_point(|placed| placed.body <= i);
-            let (first, last) = (layers[own.clone()].first()?, layers[own.clone()].last()?);
-            let free = matches!(chain, Chain::Free(_));
-            let depth = match last.thickness {
-                // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
-                Some(thickness) => free.then_some(thickness),
-                // displacements vanish far away if forces do not act on whole lines
-                None if stack.geometry().is_axisymmetric() => None,
-                None => Some(0.0),
-            };
-            let reference = depth.map(|depth| DepthRow { layer: own.end - 1, depth, set: 0 });
-            let mut body = Self {
-                chain,
-                layers: own,
-                top: first.top,
-                bottom: free.then(|| last.bottom()),
-                contact: i,
-                faces: [None, None],
-                reference,
-            };
-            let wave = |wavenumber: f64| Wave { wavenumber, modulus, plane };
-            body.faces[0] = body.face(0, first, &pressures[i], &wave);
-            if let (true, Some(pressure)) = (free, pressures.get(i + 1)) {
-                body.faces[1] = body.face(1, last, pressure, &wave);
-            }
-            Some(body)
-        });
-        bodies.collect()
+        let of = |(i, chain): (usize, Chain)| Self::of(chain, i, stack, layers, pressures, modulus);
+        chains.enumerate().filter_map(of).collect()
+    }
+
+    /// The body with this number; `None` if it has no layers.
+    fn of(
+        chain: Chain,
+        number: usize,
+        stack: &Stack,
+        layers: &[PlacedLayer],
+        pressures: &[ContactPressure],
+        modulus: f64,
+    ) -> Option<Self> {
+        let from = layers.partition_point(|placed| placed.body < number);
+        let own = from..layers.partition_point(|placed| placed.body <= number);
+        let (first, last) = (layers[own.clone()].first()?, layers[own.clone()].last()?);
+        let free = matches!(chain, Chain::Free(_));
+        let depth = match last.thickness {
+            // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
+            Some(thickness) => free.then_some(thickness),
+            // displacements vanish far away if forces do not act on whole lines
+            None if stack.geometry().is_axisymmetric() => None,
+            None => Some(0.0),
+        };
+        let reference = depth.map(|depth| DepthRow { layer: own.end - 1, depth, set: 0 });
+        let (top, bottom) = (first.top, free.then(|| last.bottom()));
+        let mut body = Self { chain, layers: own, top, bottom, contact: number, faces: [None, None], reference };
+        let plane = stack.plane();
+        let wave = |wavenumber: f64| Wave { wavenumber, modulus, plane };
+        body.faces[0] = body.face(0, first, &pressures[number], &wave);
+        if let (true, Some(pressure)) = (free, pressures.get(number + 1)) {
+            body.faces[1] = body.face(1, last, pressure, &wave);
+        }
+        Some(body)
     }
 
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.

@@ -87,25 +87,27 @@ impl Field {
     fn decays(&self, row: &DepthRow) -> impl Iterator<Item = (usize, Option<FieldDecay<'_>>)> {
         let placed = &self.layers[row.layer];
         let (body, depth) = (&self.bodies[placed.body], row.depth);
-        body.contacts().enumerate().map(move |(side, contact)| {
-            let above = side == 0;
-            let is_outermost = if above { placed.place == 0 } else { placed.place + 1 == body.layers.len() };
-            let face = body.faces[side].as_ref().filter(|_| is_outermost);
-            if face.is_some_and(|face| face.surface.shift.is_infinite()) {
-                return (contact, None);
-            }
-            let distance = self.distance(placed, depth, above);
-            let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
-            let shift = face.map_or(0.0, |face| face.surface.shift);
-            let pressure = &self.pressures[contact];
-            let decay = FieldDecay {
-                distance,
-                reflected: (distance + shift).min(2.0 * thickness - distance),
-                remainder: face.map(|face| face.remainder),
-                pressure,
-                length: Some(pressure.half_length.max(shift)).filter(|a| *a > 0.0).unwrap_or(self.length(contact)),
-            };
-            (contact, Some(decay))
+        body.contacts().enumerate().map(move |(side, contact)| (contact, self.decay(placed, depth, side, contact)))
+    }
+
+    /// The decay of what the contact above or below a body, side 0 or 1, does at a depth.
+    fn decay(&self, placed: &PlacedLayer, depth: f64, side: usize, contact: usize) -> Option<FieldDecay<'_>> {
+        let (body, above) = (&self.bodies[placed.body], side == 0);
+        let is_outermost = if above { placed.place == 0 } else { placed.place + 1 == body.layers.len() };
+        let face = body.faces[side].as_ref().filter(|_| is_outermost);
+        let shift = face.map_or(0.0, |face| face.surface.shift);
+        if shift.is_infinite() {
+            return None;
+        }
+        let distance = self.distance(placed, depth, above);
+        let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
+        let pressure = &self.pressures[contact];
+        Some(FieldDecay {
+            distance,
+            reflected: (distance + shift).min(2.0 * thickness - distance),
+            remainder: face.map(|face| face.remainder),
+            pressure,
+            length: Some(pressure.half_length.max(shift)).filter(|a| *a > 0.0).unwrap_or(self.length(contact)),
         })
     }
 

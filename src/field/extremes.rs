@@ -139,12 +139,17 @@ impl Field {
         let finite = peaks.iter().flatten().filter(|peak| peak.value.is_finite());
         let points: Vec<Point> = finite.map(point).collect();
         let mut there = points.iter().zip(self.points(&points)?);
-        let each = peaks.iter().map(|peak| {
-            let Some(peak) = peak else { return Ok(None) };
+        let mut extremes = Vec::new();
+        for peak in peaks {
+            let Some(peak) = peak else {
+                extremes.push(None);
+                continue;
+            };
             let Some((point, there)) = Some(peak).filter(|peak| peak.value.is_finite()).and_then(|_| there.next())
             else {
                 let (x, layer) = (self.middle + peak.place[0], self.layers[peak.layer].number);
-                return Ok(Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer }));
+                extremes.push(Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer }));
+                continue;
             };
             let value = peak.measure.of(&there);
             let (row, place, mean) = (self.row(point, 0)?, self.place(point.x), self.mean_pressure(peak.layer));
@@ -153,9 +158,10 @@ impl Field {
             let unseen = (self.truncation(&row, place, &waves::STRESSES) - allowed).max(0.0);
             let missed = self.truncation(&row, place, &waves::FULL).min(allowed) + NOTHING * mean;
             let (error, depth, layer) = (self.stress_error(point)? + unseen, point.depth, there.layer);
-            Ok(Some(Extreme { value, error, x: point.x, depth, layer }).filter(|found| found.value > missed))
-        });
-        each.collect()
+            extremes
+                .push(Some(Extreme { value, error, x: point.x, depth, layer }).filter(|found| found.value > missed));
+        }
+        Ok(extremes)
     }
 
     /// The layers with an interface below them that does not open, by their index, and the number of the layer or base below.

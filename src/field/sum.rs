@@ -86,23 +86,7 @@ impl Field {
     pub(super) fn closed(&self, row: &DepthRow, set: &[f64], displacements: bool) -> Vec<Components> {
         let placed = &self.layers[row.layer];
         let body = &self.bodies[placed.body];
-        let at = |placed: &PlacedLayer, depth: f64, x: f64| {
-            let mut sum = Components::default();
-            for (face, contact, distance) in faces(body, placed, depth) {
-                let pressure = &self.pressures[contact];
-                let closed = face.surface.closed(pressure, x, distance, displacements);
-                sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
-                if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
-                    // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
-                    [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
-                    sum[5] = f64::NAN;
-                    if kind == Singularity::Line {
-                        sum[4] = f64::NEG_INFINITY;
-                    }
-                }
-            }
-            sum
-        };
+        let at = |placed: &PlacedLayer, depth: f64, x: f64| self.closed_at(placed, depth, x, displacements);
         let origin = body.reference.filter(|_| displacements).map_or([0.0; 2], |DepthRow { layer, depth, .. }| {
             let [.., u, v, _] = at(&self.layers[layer], depth, 0.0);
             // a line load on a half-plane moves its own place without limit
@@ -115,6 +99,25 @@ impl Field {
             value[4] -= origin[1];
         }
         values
+    }
+
+    /// The closed forms at a place in a layer.
+    fn closed_at(&self, placed: &PlacedLayer, depth: f64, x: f64, displacements: bool) -> Components {
+        let mut sum = Components::default();
+        for (face, contact, distance) in faces(&self.bodies[placed.body], placed, depth) {
+            let pressure = &self.pressures[contact];
+            let closed = face.surface.closed(pressure, x, distance, displacements);
+            sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
+            if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
+                // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
+                [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
+                sum[5] = f64::NAN;
+                if kind == Singularity::Line {
+                    sum[4] = f64::NEG_INFINITY;
+                }
+            }
+        }
+        sum
     }
 
     /// Adds the integrals over the wavenumber of the remainders of the closed forms.

@@ -23,15 +23,7 @@ pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>>
     let at = |x: f64| Some(contact.pressure(x)).filter(|pressure| *pressure <= most).unwrap_or(f64::INFINITY);
     let jumps = jumps(scene, contact);
     let of = |&Interval { left, right, .. }: &Interval| {
-        let inner = jumps.iter().copied().filter(|x| *x > left && *x < right);
-        let ends: Vec<f64> = [left].into_iter().chain(inner).chain([right]).collect();
-        let count = (POINTS / (ends.len() - 1)).max(FEWEST);
-        let points = ends.windows(2).flat_map(|pair| {
-            let [middle, half] = [0.5 * (pair[0] + pair[1]), 0.5 * (1.0 - INSIDE) * (pair[1] - pair[0])];
-            let place = move |i: usize| middle - half * (std::f64::consts::PI * i as f64 / count as f64).cos();
-            (0..=count).map(place)
-        });
-        let curve: Vec<(f64, f64)> = points.map(|x| (x, at(x))).collect();
+        let curve: Vec<(f64, f64)> = places(&jumps, left, right).map(|x| (x, at(x))).collect();
         // down to zero at both ends, unless it rises there without bound
         let ends_low = |end: Option<&(f64, f64)>| end.is_some_and(|(_, p)| p.is_finite());
         let first = Some((left, 0.0)).filter(|_| ends_low(curve.first()));
@@ -40,6 +32,17 @@ pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>>
     };
     let wide = contact.intervals().iter().filter(|interval| interval.left < interval.right);
     wide.map(of).collect()
+}
+
+/// Places on an interval, denser towards its ends and towards jumps.
+fn places(jumps: &[f64], left: f64, right: f64) -> impl Iterator<Item = f64> {
+    let inner = jumps.iter().copied().filter(|x| *x > left && *x < right);
+    let ends: Vec<f64> = [left].into_iter().chain(inner).chain([right]).collect();
+    let count = (POINTS / (ends.len() - 1)).max(FEWEST);
+    (1..ends.len()).flat_map(move |k| {
+        let [middle, half] = [0.5 * (ends[k - 1] + ends[k]), 0.5 * (1.0 - INSIDE) * (ends[k] - ends[k - 1])];
+        (0..=count).map(move |i| middle - half * (std::f64::consts::PI * i as f64 / count as f64).cos())
+    })
 }
 
 /// Places where a given pressure jumps or begins, ascending.

@@ -90,24 +90,19 @@ impl Contact {
         let mut best = (first, middle);
         let by_rounding = 1.0 + 4.0 * f64::EPSILON;
         let mut around = None;
-        for strip in &self.strips {
-            let places: Vec<f64> = strip.places().filter(|x| *x > first).collect();
-            for (k, x) in places.iter().enumerate() {
-                let here = pressure(*x);
-                if here > best.1.max(0.0) * by_rounding {
-                    best = (*x, here);
-                    around = Some([places[k.saturating_sub(1)], *places.get(k + 1).unwrap_or(x)]);
-                }
+        // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
+        let all = self.strips.iter().flat_map(Strip::places).chain(self.between_ends());
+        let mut places: Vec<f64> = all.filter(|x| *x > first).collect();
+        places.sort_by(f64::total_cmp);
+        for (k, x) in places.iter().enumerate() {
+            let here = pressure(*x);
+            if here > best.1.max(0.0) * by_rounding {
+                best = (*x, here);
+                around = Some([places[k.saturating_sub(1)], *places.get(k + 1).unwrap_or(x)]);
             }
         }
         if let Some([left, right]) = around {
             best = highest(&pressure, left, right, best);
-        }
-        // where strips overlap, or one lies within another as in a ring, the sum may be largest away from the middles of both
-        for x in self.between_ends().filter(|x| *x > first) {
-            if pressure(x) > best.1 * by_rounding {
-                best = (x, pressure(x));
-            }
         }
         let (x, largest) = best;
         if x == first {

@@ -176,8 +176,8 @@ impl<'a> Equations<'a> {
     /// Where unknowns and rows of all contacts stand.
     pub(super) fn places(&self) -> Vec<Places> {
         let (mut term, mut end, mut row) = (0, 0, 0);
-        let of = |contact: usize| {
-            let columns = &self.columns[contact];
+        let mut all = Vec::new();
+        for (contact, columns) in self.columns.iter().enumerate() {
             let mut told = self.told(contact);
             if self.chain(contact).len() > 1 {
                 told.iter_mut().zip(self.told(contact - 1)).for_each(|(own, above)| own.count_from(&above));
@@ -189,11 +189,10 @@ impl<'a> Equations<'a> {
             let of_told = told.iter().map(|told| told.column).filter(|_| !columns.intervals.is_empty());
             let left: Vec<usize> = of_told.chain(others).collect();
             let next = (term + terms.len(), end + columns.ends(), row + left.len());
-            let places = Places { terms: (terms, term), ends: end, left: (left, row), told };
+            all.push(Places { terms: (terms, term), ends: end, left: (left, row), told });
             (term, end, row) = next;
-            places
-        };
-        (0..self.columns.len()).map(of).collect()
+        }
+        all
     }
 
     /// The columns of a contact whose amplitudes are told.

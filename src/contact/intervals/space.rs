@@ -180,33 +180,17 @@ impl Columns<'_> {
     fn for_slopes(&self, x: Complex64, factor: f64, within: Option<usize>, mut each: impl FnMut(usize, f64)) {
         let mut end = self.terms();
         for (number, interval) in self.intervals.iter().enumerate() {
-            let unit = factor * interval.unit();
-            let first = self.first(number);
-            let mut add = |x: Complex64, sign: f64| {
-                let s = (x - interval.middle) / interval.half;
-                // s less √(s² − 1)
-                let root = root(s);
-                let inside = (s + root).inv();
-                let (mut power, by) = if interval.is_even() { (inside, inside * inside) } else { (inside, inside) };
-                for m in 0..self.counts[number] {
-                    each(first + m, sign * unit * power.re / interval.order(m) as f64);
-                    power *= by;
-                    // far from an interval its higher terms are below rounding
-                    if power.norm_sqr() < SMALLEST * SMALLEST {
-                        break;
-                    }
-                }
-                for (place, side) in interval.sides().iter().enumerate() {
-                    let at_end = if interval.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside) };
-                    each(end + place, sign * unit * (at_end / root).re);
-                }
+            let (first, count) = (self.first(number), self.counts[number]);
+            let mut add = |x: Complex64, factor: f64| {
+                let column = |k: usize| if k < count { first + k } else { end + k - count };
+                interval.slopes_of(count, x, |k, slope| each(column(k), factor * slope));
             };
             if within != Some(number) {
-                add(x, 1.0);
+                add(x, factor);
             }
             if interval.parity == Parity::Pair {
                 // the mirror image of the place, at the same depth
-                add(Complex64::new(-x.re, x.im), -1.0);
+                add(Complex64::new(-x.re, x.im), -factor);
             }
             end += interval.sides().len();
         }
@@ -220,30 +204,57 @@ impl Columns<'_> {
         let of = |(interval, count): (&ContactInterval, &usize)| {
             let (terms, ends): (Vec<&f64>, Vec<&f64>) =
                 (terms.by_ref().take(*count).collect(), ends.by_ref().take(interval.sides().len()).collect());
-            let at = |x: f64| {
-                let s = (x - interval.middle) / interval.half;
-                // s less √(s² − 1)
-                let inside = (s.abs() + ((s - 1.0) * (s + 1.0)).max(0.0).sqrt()).recip().copysign(s);
-                let logarithm = -inside.abs().ln();
-                let mut power = 1.0;
-                let mut sum = 0.0;
-                for (m, y) in terms.iter().enumerate() {
-                    let j = interval.order(m) as f64;
-                    let near = if m > 0 { -power / (j - 1.0) } else { logarithm };
-                    let next = power * inside * inside;
-                    sum += 0.5 * **y / j * (near + next / (j + 1.0));
-                    power = if interval.is_even() { next } else { power * inside };
-                }
-                for (side, q) in interval.sides().iter().zip(&ends) {
-                    let at_end = if interval.is_even() { logarithm } else { 0.5 * (logarithm - side * inside) };
-                    sum += **q * at_end;
-                }
-                interval.unit() * interval.half * sum
-            };
+            let at = |x: f64| interval.closed_by(x, &terms, &ends);
             // what the mirror image of an interval does at x, the interval does at −x
             if interval.parity == Parity::Pair { at(x) + at(-x) } else { at(x) }
         };
         self.intervals.iter().zip(self.counts).map(of).sum()
+    }
+}
+
+impl ContactInterval {
+    /// Hands out the slopes at x that its terms make, by their numbers, and then its singular pressures.
+    fn slopes_of(&self, count: usize, x: Complex64, mut each: impl FnMut(usize, f64)) {
+        let unit = self.unit();
+        let s = (x - self.middle) / self.half;
+        // s less √(s² − 1)
+        let root = root(s);
+        let inside = (s + root).inv();
+        let (mut power, by) = if self.is_even() { (inside, inside * inside) } else { (inside, inside) };
+        for m in 0..count {
+            each(m, unit * power.re / self.order(m) as f64);
+            power *= by;
+            // far from an interval its higher terms are below rounding
+            if power.norm_sqr() < SMALLEST * SMALLEST {
+                break;
+            }
+        }
+        for (place, side) in self.sides().iter().enumerate() {
+            let at_end = if self.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside) };
+            each(count + place, unit * (at_end / root).re);
+        }
+    }
+
+    /// By how much its terms and singular pressures close a gap at x.
+    fn closed_by(&self, x: f64, terms: &[&f64], ends: &[&f64]) -> f64 {
+        let s = (x - self.middle) / self.half;
+        // s less √(s² − 1)
+        let inside = (s.abs() + ((s - 1.0) * (s + 1.0)).max(0.0).sqrt()).recip().copysign(s);
+        let logarithm = -inside.abs().ln();
+        let mut power = 1.0;
+        let mut sum = 0.0;
+        for (m, y) in terms.iter().enumerate() {
+            let j = self.order(m) as f64;
+            let near = if m > 0 { -power / (j - 1.0) } else { logarithm };
+            let next = power * inside * inside;
+            sum += 0.5 * **y / j * (near + next / (j + 1.0));
+            power = if self.is_even() { next } else { power * inside };
+        }
+        for (side, q) in self.sides().iter().zip(ends) {
+            let at_end = if self.is_even() { logarithm } else { 0.5 * (logarithm - side * inside) };
+            sum += **q * at_end;
+        }
+        self.unit() * self.half * sum
     }
 }
 
