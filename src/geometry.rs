@@ -82,39 +82,13 @@ pub struct Words {
     pub distance: &'static str,
     /// Half of the length of a contact about the middle.
     pub half_length: &'static str,
-    /// Half of the width of a punch or a load.
-    pub half_width: &'static str,
-    /// A punch whose profile is a circle.
-    pub cylinder: &'static str,
-    /// A punch with straight flanks and a sharp tip.
-    pub wedge: &'static str,
-    /// Where a flat punch ends.
-    pub corners: &'static str,
     /// A force without extent.
     pub line_load: &'static str,
 }
 
-const PLANE: Words = Words {
-    along: "x",
-    distance: "|x|",
-    half_length: "half-length",
-    half_width: "half-width",
-    cylinder: "cylinder",
-    wedge: "wedge",
-    corners: "corners",
-    line_load: "line load",
-};
+const PLANE: Words = Words { along: "x", distance: "|x|", half_length: "half-length", line_load: "line load" };
 
-const AXISYMMETRIC: Words = Words {
-    along: "r",
-    distance: "r",
-    half_length: "contact radius",
-    half_width: "radius",
-    cylinder: "sphere",
-    wedge: "cone",
-    corners: "edge",
-    line_load: "point load",
-};
+const AXISYMMETRIC: Words = Words { along: "r", distance: "r", half_length: "contact radius", line_load: "point load" };
 
 impl From<Plane> for Geometry {
     fn from(plane: Plane) -> Self {

@@ -1,10 +1,12 @@
 //! Names of quantities in pictures, and their units.
+use recede_layers::tree::{Entry, Kind, Node};
+
 use super::picture::{italic, subscript};
 use super::scale::short;
 use crate::field::FieldQuantity;
 use crate::geometry::{Geometry, Words};
 pub(super) use crate::scene::Dimension;
-use crate::scene::{Load, Loads, Punch, Scene, Units};
+use crate::scene::{Loads, Scene, Units};
 use crate::solution::{Contact, Interface};
 
 /// Labels of units that are longer are cut.
@@ -28,61 +30,28 @@ fn distance(scene: &Scene) -> String {
     distance.replace(along, &italic(along))
 }
 
-/// The punch or load in short lines: its kind, then its sizes.
+/// The punch or load in short lines: its kind, then its sizes, as they are written in a scene; several by their number.
 pub(super) fn of_top(scene: &Scene) -> Vec<String> {
-    let length = after(scene, Dimension::LENGTH);
-    let radius = |radius: f64| format!("{} = {}{length}", italic("R"), short(radius));
-    let Words { half_width, cylinder, wedge, corners, .. } = scene.geometry.words();
-    let distance = distance(scene);
-    let half_width = |width: f64| format!("{half_width} {}{length}", short(width));
-    let lines = |kind: &str, sizes: &[String]| [kind.to_owned()].into_iter().chain(sizes.iter().cloned()).collect();
-    let punch = match (scene.top.punch().or_else(|| scene.top.even_punch()), scene.top.loads()) {
-        (Some(punch), _) => punch,
-        (None, Some(loads)) => return of_loads(scene, loads),
+    let punch = scene.top.punch().or_else(|| scene.top.even_punch());
+    let (written, load) = match (punch, scene.top.loads().and_then(Loads::alone)) {
+        (Some(punch), _) => (punch.written_in(scene.geometry), ""),
+        (None, Some(load)) => (load.written_in(scene.geometry), " load"),
         (None, None) => return vec![scene.top.label(scene.geometry)],
     };
-    match punch {
-        Punch::Cylinder { radius: r } => lines(cylinder, &[radius(r.get())]),
-        Punch::Parabola { radius: r } => lines("parabola", &[radius(r.get())]),
-        Punch::Power { exponent, half_width, height } => {
-            let [w, h] = [half_width.get(), height.get()].map(short);
-            let power = format!("height {h}{length} at {distance} = {w}{length}");
-            lines(&format!("power {} of {distance}", short(exponent.get())), &[power])
-        }
-        Punch::Polynomial { half_width: w, .. } => lines("polynomial", &[half_width(w.get())]),
-        Punch::Wedge(flanks) if punch.is_even() => lines(wedge, &[format!("slope {}", short(flanks.slope()))]),
-        Punch::Wedge(flanks) => {
-            let [left, right] = [flanks.left(), flanks.slope()].map(short);
-            lines(wedge, &[format!("slopes {left} left, {right} right")])
-        }
-        Punch::RoundedFlat { half_width: w, radius: r } => {
-            lines(&format!("flat, rounded {corners}"), &[half_width(w.get()), radius(r.get())])
-        }
-        Punch::Flat { half_width: w } => lines(&format!("flat, sharp {corners}"), &[half_width(w.get())]),
-        Punch::Table(_) => lines("profile from a table", &[]),
-        Punch::ElasticCylinder(elastic) => {
-            let modulus = short(elastic.material().shear_modulus) + &after(scene, Dimension::STRESS);
-            lines(&format!("elastic {cylinder}"), &[radius(elastic.radius()), format!("{} = {modulus}", italic("μ"))])
-        }
-    }
+    let node = Node::from_ron(&written).unwrap_or_default();
+    let size = |field: &Entry| {
+        let Kind::Number(number) = field.value.kind else { return None };
+        let (name, dimension) = of_path(scene, &field.name);
+        Some(format!("{name} = {}{}", short(number), after(scene, dimension)))
+    };
+    let kind = words(node.name.as_deref().unwrap_or_default()) + load;
+    [kind].into_iter().chain(node.fields().iter().filter_map(size)).collect()
 }
 
-/// Loads in short lines: one about x = 0 with its kind and sizes, several by their number.
-fn of_loads(scene: &Scene, loads: &Loads) -> Vec<String> {
-    let length = after(scene, Dimension::LENGTH);
-    let Words { half_width, line_load, .. } = scene.geometry.words();
-    let (load, kind) = match loads.alone() {
-        None => return vec![scene.top.label(scene.geometry)],
-        Some(Load::Line) => return vec![(*line_load).to_owned()],
-        Some(load @ Load::Ring { .. }) => {
-            let [inner, outer] = [load.hole(), load.half_width()].map(short);
-            return vec!["ring load".to_owned(), format!("{inner} … {outer}{length}")];
-        }
-        Some(load @ Load::Uniform { .. }) => (load, "uniform load"),
-        Some(load @ Load::Parabolic { .. }) => (load, "parabolic load"),
-        Some(load @ Load::Elliptic { .. }) => (load, "elliptic load"),
-    };
-    vec![kind.to_owned(), format!("{half_width} {}{length}", short(load.half_width()))]
+/// The name of a kind in words: `RoundedFlat` as "rounded flat".
+fn words(name: &str) -> String {
+    let spaced: String = name.chars().map(|c| if c.is_uppercase() { format!(" {c}") } else { c.to_string() }).collect();
+    spaced.trim_start().to_lowercase()
 }
 
 /// Which bodies touch there.

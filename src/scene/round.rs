@@ -152,7 +152,7 @@ impl Punch {
 
 impl Load {
     /// As it is written in a scene of this geometry.
-    pub(super) fn written_in(&self, geometry: Geometry) -> String {
+    pub(crate) fn written_in(&self, geometry: Geometry) -> String {
         if geometry.is_axisymmetric() { written(&RoundLoad::from(self.clone())) } else { self.to_string() }
     }
 }
