@@ -102,6 +102,22 @@ fn under_line_loads_contacts_are_those_of_an_independent_program() {
 }
 
 #[test]
+fn no_pressure_is_larger_than_the_largest() {
+    // the largest pressure wanders from one load towards the other, and through the middle of the contact
+    for at in [-0.8, -0.4, 0.4, 0.8] {
+        for part in [0.1, 0.3, 0.45] {
+            let solution = press(&stacks()[0], &[(Load::Line, 0.0, 1.0 - part), (Load::Line, at, part)]);
+            let (contact, peak) = (&solution.contacts()[1], solution.contacts()[1].peak());
+            let [left, right] = [contact.intervals()[0].left, contact.intervals()[0].right];
+            for x in (0..=2000).map(|k| left + (right - left) * f64::from(k) / 2000.0) {
+                let more = contact.pressure(x) - peak.pressure;
+                assert!(more <= peak.error, "{more:e} at {x}, {peak:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn contacts_move_and_are_mirrored_with_the_loads() {
     for model in &stacks() {
         for parts in &cases() {

@@ -94,6 +94,8 @@ impl Contact {
         let all = self.strips.iter().flat_map(Strip::places).chain(self.between_ends());
         let mut places: Vec<f64> = all.filter(|x| *x > first).collect();
         places.sort_by(f64::total_cmp);
+        // what differs by rounding is one place
+        places.dedup_by(|next, before| *next - *before <= 1e-9 * self.half_span());
         for (k, x) in places.iter().enumerate() {
             let here = pressure(*x);
             if here > best.1.max(0.0) * by_rounding {
