@@ -190,7 +190,8 @@ impl Contact {
         }
         let of = |number: &usize| {
             let own = |k: &usize| self.punches[*k] == *number;
-            let strips: Vec<Strip> = (0..self.strips.len()).filter(own).map(|k| self.strips[k].clone()).collect();
+            let is_under = |strip: &&Strip| nearest(&self.intervals, strip.at).is_some_and(|k| own(&k));
+            let strips: Vec<Strip> = self.strips.iter().filter(is_under).cloned().collect();
             let is_here = strips.iter().any(|strip| strip.at - strip.extent <= 0.0 && strip.at + strip.extent >= 0.0);
             Self {
                 central_pressure: if is_here { self.central_pressure } else { 0.0 },
@@ -290,8 +291,7 @@ impl Contact {
         }
         for strip in &self.strips {
             let (middle, resultant) = (strip.at, strip.resultant());
-            let outside = |interval: &Interval| (interval.left - middle).max(middle - interval.right).max(0.0);
-            if let Some(own) = intervals.iter_mut().min_by(|a, b| outside(a).total_cmp(&outside(b))) {
+            if let Some(own) = nearest(intervals, middle).map(|k| &mut intervals[k]) {
                 own.force += resultant;
                 own.centroid += resultant * middle + strip.moment();
             }
@@ -303,4 +303,10 @@ impl Contact {
         }
         self
     }
+}
+
+/// The number of the interval that a place lies in, or is nearest to.
+fn nearest(intervals: &[Interval], x: f64) -> Option<usize> {
+    let outside = |interval: &Interval| (interval.left - x).max(x - interval.right).max(0.0);
+    (0..intervals.len()).min_by(|a, b| outside(&intervals[*a]).total_cmp(&outside(&intervals[*b])))
 }

@@ -107,15 +107,14 @@ pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec
     if active.is_empty() {
         return Vec::new();
     }
-    let discs = starting_intervals(problem, active, |active| vec![[0.0, active.end()]]);
     if problem.twin() == Twin::Round {
-        return discs.into_iter().collect();
+        return starting_intervals(problem, active, |active| vec![[0.0, active.end()]]).into_iter().collect();
     }
     // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
     let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
         .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_even()));
     let all = starting_intervals(problem, active, |active| active.intervals().to_vec());
-    let merged = starting_intervals(problem, active, ActiveIntervals::merged);
+    let merged = starting_intervals(problem, active, ActiveIntervals::merged).filter(|_| problem.is_even());
     let mut starts: Vec<Intervals> = [loaded, all, merged].into_iter().flatten().collect();
     starts.dedup();
     starts
@@ -272,22 +271,20 @@ fn starting_intervals(
     active: &[ActiveIntervals],
     which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
 ) -> Option<Intervals> {
-    let mut intervals = Vec::new();
+    let mut expected = Vec::new();
     for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
         let mut parts = which(active);
         if let Some(edge) = problem.sides[contact].edge().filter(|_| problem.sides[contact].is_flat()) {
             let [[0.0, to]] = &mut parts[..] else { return None };
             *to = edge;
         }
-        if parts.is_empty() || parts.iter().any(|part| part[1].is_infinite() || part[1] <= part[0]) {
+        if parts.is_empty() || parts.iter().any(|[from, to]| !(to - from).is_finite() || to <= from) {
             return None;
         }
-        let corners = [problem.sides[contact].is_flat(); 2];
-        intervals.extend(
-            parts.iter().map(|part| ContactInterval::even(problem.twin(), contact, *part).with_corners(corners)),
-        );
+        let of = |part: [f64; 2]| Expected { contact, punch: active.punch(part), ends: part };
+        expected.extend(parts.into_iter().map(of));
     }
-    Some(Intervals(intervals))
+    of_formulas(problem, &expected)
 }
 
 impl Lengths {

@@ -245,6 +245,11 @@ impl<'a> Side<'a> {
         }
     }
 
+    /// The same of any punch, and about an axis as it is.
+    pub(crate) fn height_above_tip(&self, punch: usize, x: f64) -> f64 {
+        self.profile().map_or_else(|| self.height_under(punch, x), |profile| profile.height(x))
+    }
+
     /// Where the punch of this number ends, in units of L; infinite where it does not.
     pub(crate) fn ends_of(&self, punch: usize) -> [f64; 2] {
         match self {

@@ -4,7 +4,7 @@
 //! in circles, elements are let touch one by one, and freed again as soon as they would be in tension, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
 use crate::contact::problem::iteration::Progress;
-use crate::contact::programme::energy::Energy;
+use crate::contact::programme::energy::{Carried, Constraint, Energy};
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 use crate::numeric::longest;
 
@@ -18,16 +18,23 @@ pub(super) struct Programme<'a> {
     energy: &'a Energy,
 }
 
+/// Its solution.
+pub(super) struct Solved {
+    /// Which elements of each contact touch, and the forces on them.
+    pub(super) touching: Elements<bool>,
+    pub(super) forces: Elements<f64>,
+    /// The approach or rotation that goes with each constraint, and where nothing is even the moment of all that presses on the stack.
+    pub(super) moved: Vec<f64>,
+}
+
 impl<'a> Programme<'a> {
     pub(super) fn new(energy: &'a Energy) -> Self {
         Self { energy }
     }
 
-    /// Which elements of each contact touch, and the forces on them, from a guess, or else from all; `None` if
-    /// rounding is too large.
-    pub(super) fn solve(&self, guess: Option<Elements<bool>>) -> Option<(Elements<bool>, Elements<f64>)> {
+    /// From a guess of which elements touch; `None` if rounding is too large.
+    pub(super) fn solve(&self, mut touching: Elements<bool>) -> Option<Solved> {
         let (contacts, elements) = (self.energy.contacts(), self.energy.elements());
-        let mut touching = guess.unwrap_or_else(|| vec![vec![true; elements]; contacts]);
         for (i, own) in touching.iter_mut().enumerate() {
             own.iter_mut().enumerate().for_each(|(e, touches)| *touches &= !self.is_inadmissible(i, e));
         }
@@ -42,7 +49,7 @@ impl<'a> Programme<'a> {
                 wrong.extend(tensile.chain(self.penetrations(i, &touching[i], &state)).map(|e| (i, e)));
             }
             if wrong.is_empty() {
-                return Some((touching, self.forces(state.pressures)));
+                return Some(self.solved(touching, state.pressures, state.moved));
             }
             if !progress.goes_on(wrong.len() as f64) {
                 return self.descend(state.pressures);
@@ -53,24 +60,61 @@ impl<'a> Programme<'a> {
         }
     }
 
-    /// The same from pressures to begin with, the energy falling with every step.
-    fn descend(&self, mut pressure: Elements<f64>) -> Option<(Elements<bool>, Elements<f64>)> {
-        for (i, own) in pressure.iter_mut().enumerate() {
-            own.iter_mut().for_each(|p| *p = p.max(0.0));
-            let mut resultant = self.resultant(own);
-            if resultant <= 0.0 {
-                own.iter_mut().enumerate().filter(|(e, _)| !self.is_inadmissible(i, *e)).for_each(|(_, p)| *p = 1.0);
-                resultant = self.resultant(own);
+    /// Pressures without tension that carry what they have to, near some others.
+    fn feasible(&self, mut pressure: Elements<f64>) -> Elements<f64> {
+        let Energy { constraints, resultants, turning, .. } = self.energy;
+        pressure.iter_mut().flatten().for_each(|p| *p = p.max(0.0));
+        let mut whole = turning.as_ref().and_then(|turning| turning.moment);
+        let mut group = &resultants[..];
+        for Constraint { contact, weights, kind } in constraints {
+            let own = &mut pressure[*contact];
+            match (kind, whole) {
+                (Carried::Resultant(value), _) => {
+                    group = weights;
+                    let belongs = |e: usize| weights[e] != 0.0 && !self.is_inadmissible(*contact, e);
+                    if sum(own, weights) <= 0.0 {
+                        own.iter_mut().enumerate().filter(|(e, _)| belongs(*e)).for_each(|(_, p)| *p = 1.0);
+                    }
+                    let factor = value / sum(own, weights);
+                    own.iter_mut().enumerate().filter(|(e, _)| belongs(*e)).for_each(|(_, p)| *p *= factor);
+                }
+                (Carried::Moment(_, value), _) => self.shift(*contact, own, [group, weights], *value),
+                (Carried::WholeMoment, Some(value)) => self.shift(*contact, own, [resultants, weights], value),
+                (Carried::WholeMoment, None) => whole = Some(sum(own, weights)),
             }
-            own.iter_mut().for_each(|p| *p /= resultant);
         }
+        pressure
+    }
+
+    /// Gives the pressure of a group of elements a moment, by more of it on an element beyond the line of action.
+    fn shift(&self, contact: usize, own: &mut [f64], [resultants, moments]: [&[f64]; 2], value: f64) {
+        let (resultant, missing) = (sum(own, resultants), value - sum(own, moments));
+        let beyond = |e: &usize| moments[*e] / resultants[*e] * resultant - value;
+        let is_beyond =
+            |e: &usize| resultants[*e] != 0.0 && !self.is_inadmissible(contact, *e) && beyond(e) * missing > 0.0;
+        // twice as far beyond it as the pressure is from it
+        let nearest = |a: &usize, b: &usize| {
+            let [a, b] = [a, b].map(|e| (beyond(e) - 2.0 * missing).abs());
+            a.total_cmp(&b)
+        };
+        let Some(e) = (0..own.len()).filter(is_beyond).min_by(nearest) else { return };
+        let part = missing / (beyond(&e) + missing);
+        own.iter_mut().zip(resultants).filter(|(_, own)| **own != 0.0).for_each(|(p, _)| *p *= 1.0 - part);
+        own[e] += part * resultant / resultants[e];
+    }
+
+    /// The same from pressures to begin with, the energy falling with every step.
+    fn descend(&self, pressure: Elements<f64>) -> Option<Solved> {
+        let mut pressure = self.feasible(pressure);
         let mut touching: Elements<bool> =
             pressure.iter().map(|own| own.iter().map(|pressure| *pressure > 0.0).collect()).collect();
-        let size = self.energy.contacts() * self.energy.elements();
         // elements that were let touch last, and those in tension at once: their penetration was rounding
         let mut last: Vec<(usize, usize)> = Vec::new();
         let mut rejected: Vec<(usize, usize)> = Vec::new();
-        for _ in 0..(WORK / (size as f64).powi(3)) as usize {
+        let mut work = 0.0;
+        while work < WORK {
+            work +=
+                touching.iter().map(|own| (own.iter().filter(|touches| **touches).count() as f64).powi(3)).sum::<f64>();
             let state = Equilibrium::new(self.energy, &touching).solve()?;
             let wanted = &state.pressures;
             // as far towards equilibrium as nothing is in tension
@@ -103,17 +147,17 @@ impl<'a> Programme<'a> {
                 }
             }
             if done {
-                return Some((touching, self.forces(pressure)));
+                return Some(self.solved(touching, pressure, state.moved));
             }
         }
         None
     }
 
-    fn forces(&self, mut pressure: Elements<f64>) -> Elements<f64> {
-        for own in &mut pressure {
+    fn solved(&self, touching: Elements<bool>, mut forces: Elements<f64>, moved: Vec<f64>) -> Solved {
+        for own in &mut forces {
             own.iter_mut().zip(&self.energy.resultants).for_each(|(p, resultant)| *p *= resultant);
         }
-        pressure
+        Solved { touching, forces, moved }
     }
 
     fn is_inadmissible(&self, i: usize, e: usize) -> bool {
@@ -126,8 +170,8 @@ impl<'a> Programme<'a> {
         (0..gaps.len())
             .filter(move |e| !touching[*e] && !self.is_inadmissible(i, *e) && gaps[*e] < -ROUNDING * terms[*e])
     }
+}
 
-    fn resultant(&self, pressure: &[f64]) -> f64 {
-        pressure.iter().zip(&self.energy.resultants).map(|(p, resultant)| p * resultant).sum()
-    }
+fn sum(pressure: &[f64], weights: &[f64]) -> f64 {
+    pressure.iter().zip(weights).map(|(p, weight)| p * weight).sum()
 }

@@ -3,56 +3,92 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::Answer;
+use crate::contact::intervals::Expected;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, SAFETY};
-use crate::contact::problem::twin::Twin;
-use crate::contact::problem::{Problem, Side, load};
+use crate::contact::problem::{Problem, load};
 use crate::numeric::largest;
 use crate::solution::{Contact, Form, Interval, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
-use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles};
+use super::patch::Patch;
+use super::{ActiveIntervals, Cycle, FINE, LEAST_FORCE, UNRESOLVED, active_on, cycles};
 
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
 
-/// Presses a punch or a given load: `None` if contacts are open next to the middle, or are known too badly.
-pub(crate) fn answer(problem: &Problem, expected: &[f64], far: f64) -> Option<Answer> {
+/// Presses punches or given loads: `None` if pressures are known too badly.
+pub(crate) fn answer(problem: &Problem, expected: &[Expected], far: f64) -> Option<Answer> {
     let all = cycles(problem, expected, far, FINE);
-    let found = |(i, contact): (usize, usize)| found(problem, contact, &all, i);
+    let [before, last] = &all[..] else { return None };
+    let active = active_on(problem, expected, last)?;
+    let found = |(i, contact): (usize, usize)| found(problem, contact, &active[contact], [before, last], i);
     let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
-    let elements = all.last()?.grid.elements();
+    let elements = last.grid.elements();
     let message = format!(
         "accuracy about 1 %: Newton's method did not converge, so this is the solution of the quadratic programme with \
          constant pressures on each of {elements} elements (see troubleshooting: low accuracy)"
     );
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..problem.kernel.stats() };
-    Some(Answer {
-        contacts,
-        force: [1.0, 0.0],
-        min_pressure: 0.0,
-        min_gap: 0.0,
-        rotations: Vec::new(),
-        stats,
-        warnings,
-    })
+    let rotations = if problem.is_even() { Vec::new() } else { rotations(problem, last) };
+    Some(Answer { contacts, force: [1.0, 0.0], min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings })
 }
 
-/// What contact i of the programme, contact `contact` of the problem, is.
-fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Option<Contact> {
-    let [before, last] = cycles else { return None };
-    let force: f64 = last.forces[i].iter().filter(|force| **force > 0.0).sum();
+/// By how much the slope of the gap of each contact grows since bodies turn, under each punch.
+fn rotations(problem: &Problem, last: &Cycle) -> Vec<Vec<f64>> {
+    let mut found = last.rotations.iter();
+    let of = |contact: usize| {
+        let Some((all, each)) = found.next() else { return Vec::new() };
+        let mut own = vec![*all; problem.groups(contact).len()];
+        each.iter().for_each(|(punch, more)| own[*punch] += more);
+        own
+    };
+    let known = problem.sides.len() - problem.unknown().count();
+    (0..known).map(|_| Vec::new()).chain(problem.unknown().map(of)).collect()
+}
+
+/// What contact i of the programme, contact `contact` of the problem, is on the last two grids.
+fn found(
+    problem: &Problem,
+    contact: usize,
+    active: &ActiveIntervals,
+    [before, last]: [&Cycle; 2],
+    i: usize,
+) -> Option<Contact> {
+    let force: f64 = last.solved.forces[i].iter().filter(|force| **force > 0.0).sum();
     if (force - 1.0).abs() > COARSE {
         return None;
     }
-    let side = &problem.sides[contact];
-    let parts = parts(last, i, side)?;
-    let is_open = parts[0].left > 0.0;
-    let middle = |round: &Cycle| round.pressure(i, 0);
-    let change = if is_open || side.is_sharp() { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
+    let (side, is_even) = (&problem.sides[contact], problem.is_even());
+    let parts = parts(problem, contact, active, last, i)?;
+    // contacts that may have grown to the edge of a punch, or together under two of them, are none
+    let outgrows = |(part, punch): &(Interval, usize)| {
+        let [left, right] = side.ends_of(*punch);
+        let is_beyond = part.left - part.left_error <= left || part.right + part.right_error >= right;
+        is_beyond && problem.corner(contact, *punch, 1.0).is_none()
+    };
+    let meet = |pair: &[(Interval, usize)]| {
+        let [(left, first), (right, second)] = [pair[0], pair[1]];
+        first != second && right.left - left.right <= left.right_error + right.left_error
+    };
+    if !is_even && (parts.iter().any(outgrows) || parts.windows(2).any(meet)) {
+        return None;
+    }
+    let is_open = is_even && parts[0].0.left > 0.0;
+    // where all is even, about x = 0, else in the middle of the interval that carries most
+    let carried = |part: &Interval| last.carried(i, part);
+    let widest = parts.iter().max_by(|a, b| carried(&a.0).total_cmp(&carried(&b.0)))?;
+    let about = if is_even { 0.0 } else { 0.5 * (widest.0.left + widest.0.right) };
+    let is_sharp = is_even && side.is_sharp();
+    let middle = |round: &Cycle| round.pressure(i, round.grid.containing(about));
+    let change = if is_open || is_sharp { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     // next to nothing depends on ends that are not known better than the grid resolves them
-    let lengths = parts.iter().map(|part| part.right_error / part.right).zip(&parts);
-    let lengths = lengths.filter(|(_, part)| part.right_error <= last.resolution(part.right)).map(|(error, _)| error);
+    let lengths = parts.iter().map(|(part, _)| {
+        let size = if is_even { part.right } else { 0.5 * (part.right - part.left) };
+        let known = |(end, error): (f64, f64)| if error <= last.resolution(end) { error / size } else { 0.0 };
+        let left = if is_even { 0.0 } else { known((part.left, part.left_error)) };
+        known((part.right, part.right_error)).max(left)
+    });
     // stiff layers wrapped round a punch may carry a pressure next to nothing about x = 0
     let worst = largest(lengths.chain([change / last.largest(i)]));
     // what is no number is no answer either
@@ -61,39 +97,64 @@ fn found(problem: &Problem, contact: usize, cycles: &[Cycle], i: usize) -> Optio
     }
     let peak = match () {
         () if is_open => 0.0,
-        () if side.is_sharp() => f64::INFINITY,
+        () if is_sharp => f64::INFINITY,
         () => middle(last) / force,
     };
     // elements well inside a contact are the same on all grids: no better than the coarse ones
     let middle = [peak, super::COARSE.ends * peak + change / force];
-    Some(Contact::even(problem.interfaces[contact], &parts, &last.strips(i, force), middle))
+    let (interface, strips) = (problem.interfaces[contact], last.strips(i, force));
+    let (parts, punches): (Vec<Interval>, Vec<usize>) = parts.into_iter().unzip();
+    Some(match is_even {
+        true => Contact::even(interface, &parts, &strips, middle),
+        false => Contact::new(interface, parts, strips, None, middle, punches),
+    })
 }
 
-/// Where contact i of the programme touches, from the middle outwards.
-fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Interval>> {
-    let active = last.active().swap_remove(i);
-    let corner = side.edge().filter(|_| side.is_flat());
-    let error = |end: f64| if corner == Some(end) || end == 0.0 { 0.0 } else { last.resolution(end) };
+/// Where contact i of the programme touches, from left to right or from the middle outwards, and under which punch.
+fn parts(
+    problem: &Problem,
+    contact: usize,
+    active: &ActiveIntervals,
+    last: &Cycle,
+    i: usize,
+) -> Option<Vec<(Interval, usize)>> {
+    let is_even = problem.is_even();
+    // a decaying contact is given as far as it carries a force, and an end beyond is not known
+    let [begin, end] = last.decays(i);
     // an interval without end carries no force
-    let active = if active.resolved.len() > 1 { active.resolved } else { active.separate };
-    // a decaying contact is given as far as it carries one, and an end beyond is not known
-    let end = last.decays(i);
-    let parts = active.iter().filter(|[from, to]| to.is_finite() || *from < end).map(|[from, to]| {
-        let right = if to.is_finite() { [*to, error(*to).max(to - end)] } else { [end, ENDLESS * end] };
-        Interval::new([*from, error(*from)], right)
-    });
-    let mut parts: Vec<Interval> = parts.collect();
-    // where bodies graze each other next to an end, the end may be anywhere
-    let mut before = 0.0;
-    for part in &mut parts {
-        if let Some(grazed) = last.first_pressing(i, (before * part.left).sqrt(), part.left) {
-            part.left_error = part.left_error.max(part.left - grazed);
+    let active_parts = active
+        .intervals()
+        .iter()
+        .filter(|[from, to]| (to.is_finite() || *from < end) && (from.is_finite() || *to > begin));
+    let mut parts: Vec<(Interval, usize)> = Vec::new();
+    let mut before = None;
+    for part @ [from, to] in active_parts {
+        let punch = active.punch(part.map(|x| x.clamp(begin, end)));
+        let corner = |side: f64| problem.corner(contact, punch, side);
+        let error = |side: f64, x: f64| if corner(side) == Some(x) { 0.0 } else { last.resolution(x) };
+        let right = if to.is_finite() { [*to, error(1.0, *to).max(to - end)] } else { [end, ENDLESS * (end - begin)] };
+        let left = match from.is_finite() {
+            true if *from == 0.0 && is_even => [0.0; 2],
+            true if is_even => [*from, error(-1.0, *from)],
+            true => [*from, error(-1.0, *from).max(begin - from)],
+            false => [begin, ENDLESS * (end - begin)],
+        };
+        let mut own = Interval::new(left, right);
+        // where bodies graze each other next to an end, the end may be anywhere
+        let middle = match before.replace(own.right) {
+            None if is_even => 0.0,
+            None => own.left,
+            Some(before) if is_even => (before * own.left).sqrt(),
+            Some(before) => 0.5 * (before + own.left),
+        };
+        if let Some(grazed) = last.first_pressing(i, middle, own.left) {
+            own.left_error = own.left_error.max(own.left - grazed);
         }
-        before = part.right;
+        parts.push((own, punch));
     }
-    let first = parts.first_mut()?;
+    let (first, _) = parts.first_mut()?;
     // a gap about x = 0 counts if it is longer than artefacts of the grid
-    if last.grid.edges().partition_point(|edge| *edge < first.left) <= 3 * UNRESOLVED {
+    if is_even && last.grid.edges().partition_point(|edge| *edge < first.left) <= 3 * UNRESOLVED {
         (first.left, first.left_error) = (0.0, 0.0);
     }
     Some(parts)
@@ -102,7 +163,13 @@ fn parts(last: &Cycle, i: usize, side: &Side) -> Option<Vec<Interval>> {
 impl Cycle {
     /// On an element of contact i.
     fn pressure(&self, i: usize, e: usize) -> f64 {
-        self.forces[i][e] / self.grid.resultant(e)
+        self.solved.forces[i][e] / self.grid.carried(e)[0]
+    }
+
+    /// The force of contact i on an interval.
+    fn carried(&self, i: usize, Interval { left, right, .. }: &Interval) -> f64 {
+        let within = |e: &usize| self.grid.element(*e)[0] >= *left && self.grid.element(*e)[1] <= *right;
+        (0..self.grid.elements()).filter(within).map(|e| self.solved.forces[i][e]).sum()
     }
 
     /// How far an end may be off since elements have a length.
@@ -114,7 +181,7 @@ impl Cycle {
     fn first_pressing(&self, i: usize, from: f64, to: f64) -> Option<f64> {
         let within = (0..self.grid.elements()).map(|e| (e, self.grid.element(e)));
         let mut pressing =
-            within.filter(|(e, [start, end])| *start >= from && *end <= to && self.forces[i][*e] >= LEAST_FORCE);
+            within.filter(|(e, [start, end])| *start >= from && *end <= to && self.solved.forces[i][*e] >= LEAST_FORCE);
         pressing.next().map(|(_, [start, _])| start)
     }
 
@@ -124,14 +191,15 @@ impl Cycle {
 
     /// The pressures of contact i, element by element, over its resultant.
     fn strips(&self, i: usize, force: f64) -> Vec<Strip> {
-        if self.grid.twin() == Twin::Round {
+        if self.grid.patch() == Patch::Ring {
             return self.discs(i, force);
         }
-        let pressing = self.forces[i].iter().enumerate().filter(|(_, force)| **force > 0.0);
+        let pressing = self.solved.forces[i].iter().enumerate().filter(|(_, force)| **force > 0.0);
         let strip = |(e, own): (usize, &f64)| {
             let [from, to] = self.grid.element(e);
-            let (at, extent) = if from == 0.0 { (0.0, to) } else { (0.5 * (from + to), 0.5 * (to - from)) };
-            let images = if from == 0.0 { 1.0 } else { 2.0 };
+            let is_pair = self.grid.patch() == Patch::Pair;
+            let (at, extent) = if from == 0.0 && is_pair { (0.0, to) } else { (0.5 * (from + to), 0.5 * (to - from)) };
+            let images = if from == 0.0 || !is_pair { 1.0 } else { 2.0 };
             load::strip(Form::Uniform, at, extent, own / force / images)
         };
         pressing.map(strip).collect()
@@ -144,19 +212,29 @@ impl Cycle {
         steps.filter(|(_, step)| *step != 0.0).map(|(radius, step)| load::disc(radius, step)).collect()
     }
 
-    /// Up to where contact i carries all but a small part of the force.
-    fn decays(&self, i: usize) -> f64 {
-        let mut left = 0.0;
-        let outwards = self.forces[i].iter().enumerate().rev();
-        let last = outwards.map(|(e, force)| (e, force.max(0.0))).find(|(_, force)| {
-            left += force;
-            left > COARSE
-        });
-        last.map_or(0.0, |(e, _)| self.grid.element(e)[1])
+    /// From where to where contact i carries all but a small part of the force on either side; of what is even from the middle on.
+    fn decays(&self, i: usize) -> [f64; 2] {
+        let outermost = |inwards: Vec<usize>| {
+            let mut left = 0.0;
+            inwards.into_iter().find(|e| {
+                left += self.solved.forces[i][*e].max(0.0);
+                left > COARSE
+            })
+        };
+        let all = 0..self.grid.elements();
+        let end = outermost(all.clone().rev().collect()).map_or(0.0, |e| self.grid.element(e)[1]);
+        let is_even = self.grid.patch() != Patch::Strip;
+        let begin = if is_even { None } else { outermost(all.collect()) };
+        [begin.map_or(0.0, |e| self.grid.element(e)[0]), end]
     }
 }
 
 impl Grid {
+    /// The element at x.
+    fn containing(&self, x: f64) -> usize {
+        self.edges().partition_point(|edge| *edge <= x).clamp(1, self.elements()) - 1
+    }
+
     /// The longer of the elements that meet in an edge.
     fn width(&self, edge: f64) -> f64 {
         let next = self.edges().partition_point(|other| *other < edge);

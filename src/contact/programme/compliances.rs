@@ -3,19 +3,23 @@ use std::ops::Range;
 
 use crate::contact::problem::load::Given;
 use crate::contact::problem::{Problem, Side};
+use crate::contact::programme::energy::{Carried, Constraint};
+use crate::contact::programme::grid::Grid;
 
 /// The kernels of some contacts, one below the other. What presses on their laminates from the next contact, above or
 /// below, is given.
 pub(super) struct Compliances<'a> {
     problem: &'a Problem<'a>,
     contacts: Range<usize>,
+    /// Between which places one of several punches may press and the next one may.
+    between: &'a [f64],
 }
 
 impl<'a> Compliances<'a> {
-    pub(super) fn new(problem: &'a Problem<'a>) -> Self {
+    pub(super) fn new(problem: &'a Problem<'a>, between: &'a [f64]) -> Self {
         let mut unknown = problem.unknown();
         let first = unknown.next().unwrap_or(problem.contacts());
-        Self { problem, contacts: first..first + unknown.count() + usize::from(first < problem.contacts()) }
+        Self { problem, contacts: first..first + unknown.count() + usize::from(first < problem.contacts()), between }
     }
 
     /// How many contacts there are.
@@ -23,9 +27,47 @@ impl<'a> Compliances<'a> {
         self.contacts.len()
     }
 
-    /// What is special about contact i.
-    pub(super) fn side(&self, i: usize) -> &Side<'a> {
-        &self.problem.sides[self.contacts.start + i]
+    /// Number of the punch that may press on contact i at x, from the left; 0 between layers.
+    fn punch(&self, i: usize, x: f64) -> usize {
+        match self.problem.sides[self.contacts.start + i] {
+            Side::Punches(_) => self.between.partition_point(|between| *between < x),
+            _ => 0,
+        }
+    }
+
+    /// The moment of all that presses on the stack, about x = 0; `None` if it is to be found.
+    pub(super) fn moment(&self) -> Option<f64> {
+        self.problem.groups(0).iter().map(|group| group.moment).sum()
+    }
+
+    /// What the pressure of contact i has to carry under each punch, or in all.
+    pub(super) fn constraints(&self, i: usize, grid: &Grid) -> Vec<Constraint> {
+        let weights = |moment: usize, group: Option<usize>| -> Vec<f64> {
+            let middle = |e: usize| 0.5 * (grid.edges()[e] + grid.edges()[e + 1]);
+            let belongs = |e: usize| group.is_none_or(|group| self.punch(i, middle(e)) == group);
+            (0..grid.elements()).map(|e| if belongs(e) { grid.carried(e)[moment] } else { 0.0 }).collect()
+        };
+        let contact = self.contacts.start + i;
+        let (mut all, is_even) = (Vec::new(), self.problem.is_even());
+        let of = |kind: Carried, weights: Vec<f64>| Constraint { contact: i, weights, kind };
+        for (number, group) in self.problem.groups(contact).into_iter().enumerate() {
+            all.push(of(Carried::Resultant(group.share), weights(0, Some(number))));
+            if let (0, Some(moment)) = (contact, group.moment.filter(|_| group.turns)) {
+                all.push(of(Carried::Moment(number, moment), weights(1, Some(number))));
+            }
+        }
+        if !is_even && (contact > 0 || self.moment().is_none()) {
+            all.push(of(Carried::WholeMoment, weights(1, None)));
+        }
+        all
+    }
+
+    /// The height of what presses on contact i above its tip; `None` if it does not reach all of an element.
+    pub(super) fn height(&self, i: usize, [from, to]: [f64; 2]) -> Option<impl Fn(f64) -> f64> {
+        let side = &self.problem.sides[self.contacts.start + i];
+        let punch = self.punch(i, 0.5 * (from + to));
+        let [left, right] = side.ends_of(punch);
+        (from >= left && to <= right).then_some(move |x: f64| side.height_above_tip(punch, x))
     }
 
     /// What the kernel of contact i tends to for short waves.
@@ -49,6 +91,15 @@ impl<'a> Compliances<'a> {
             self.problem.kernel.coupling(coupling, zeta) * given.transform_minus_one(zeta)
         };
         -self.known_neighbours(i).map(one).sum::<f64>()
+    }
+
+    /// The same of odd transforms less that of a pressure with the same moment, of which `beyond` is more than ζ per unit.
+    pub(super) fn given_odd(&self, i: usize, zeta: f64, beyond: f64) -> f64 {
+        let one = |(coupling, given): (usize, &Given)| {
+            let less = given.odd_transform_less_moment(zeta) - given.moment * beyond;
+            self.problem.kernel.coupling(coupling, zeta) * less
+        };
+        self.known_neighbours(i).map(one).sum::<f64>()
     }
 
     /// Pressures that are given next to contact i, and the laminates between.

@@ -6,20 +6,30 @@
 //! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
 //! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
 //! where they are too few for the elements far out.
+use std::ops::Range;
+
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 
+use crate::contact::programme::active_set::Solved;
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::grid::Grid;
+use crate::contact::programme::patch::Patch;
 use crate::numeric::quadrature::rule;
 
-/// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for eight more. Twice as many
+/// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for some more. Twice as many
 /// change nothing.
 const PER_FINENESS: f64 = 3.0;
+const LEAST_FINENESS: f64 = 8.0;
+/// Elements in that distance count up to this number.
+const MOST_FINENESS: f64 = 80.0;
 /// Wavenumbers begin here, times the length of the grid.
 const LONGEST_WAVE: f64 = 0.05;
 /// And end here, divided by the length of the shortest element.
 const SHORTEST_WAVE: f64 = 12.0;
+
+/// Phases up to this many times the number of nodes are told from each other.
+const TOLD: f64 = 2.0;
 
 /// Entries of the matrices of all contacts at most: there are two such sets, and the elimination makes as many again, so
 /// that they stay below 500 MB together. 32 contacts may have 700 elements each; grids that are refined have some 500.
@@ -37,6 +47,49 @@ pub(super) struct Energy {
     pub(super) resultants: Vec<f64>,
     /// Elements that the punch at a contact does not reach.
     pub(super) inadmissible: Vec<Vec<bool>>,
+    /// What pressures have to carry.
+    pub(super) constraints: Vec<Constraint>,
+    /// None where all is even.
+    pub(super) turning: Option<Turning>,
+}
+
+/// A resultant or moment of the pressure of a contact.
+pub(super) struct Constraint {
+    pub(super) contact: usize,
+    /// By which unit pressures on the elements are weighed.
+    pub(super) weights: Vec<f64>,
+    pub(super) kind: Carried,
+}
+
+/// What a pressure carries.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Carried {
+    Resultant(f64),
+    /// A moment about x = 0, by which the punch of this number turns.
+    Moment(usize, f64),
+    /// The moment of all that presses on the stack.
+    WholeMoment,
+}
+
+impl Constraint {
+    /// By what a unit pressure on an element of a contact counts.
+    pub(super) fn weight(&self, contact: usize, e: usize) -> f64 {
+        if contact == self.contact { self.weights[e] } else { 0.0 }
+    }
+}
+
+/// What the moment of all that presses on the stack does, which pressures are compared with one of where nothing is even: a unit moment.
+pub(super) struct Turning {
+    /// The moment; `None` if it is to be found.
+    pub(super) moment: Option<f64>,
+    /// To the gap of each contact, but for a rotation.
+    pub(super) linear: Vec<Vec<f64>>,
+    /// Twice its energy in each contact.
+    pub(super) square: Vec<f64>,
+    /// What each pressure, less that of the contact above or below a laminate or given next to it, does to its own rotation.
+    pub(super) coupling: Vec<Vec<f64>>,
+    pub(super) beside: Vec<Vec<f64>>,
+    pub(super) given: Vec<f64>,
 }
 
 impl Energy {
@@ -50,14 +103,23 @@ impl Energy {
             unit: vec![Mat::zeros(elements, elements); contacts],
             coupling: vec![Mat::zeros(elements, elements); contacts - 1],
             linear: vec![vec![0.0; elements]; contacts],
-            resultants: (0..elements).map(|e| grid.resultant(e)).collect(),
+            resultants: (0..elements).map(|e| grid.carried(e)[0]).collect(),
             inadmissible: vec![vec![false; elements]; contacts],
+            constraints: (0..contacts).flat_map(|i| kernel.constraints(i, grid)).collect(),
+            turning: (grid.patch() == Patch::Strip).then(|| Turning {
+                moment: kernel.moment(),
+                linear: vec![vec![0.0; elements]; contacts],
+                square: vec![0.0; contacts],
+                coupling: vec![vec![0.0; elements]; contacts - 1],
+                beside: vec![vec![0.0; elements]; contacts],
+                given: vec![0.0; contacts],
+            }),
         };
         let waves = Waves::new(grid);
         let least = waves.least(kernel);
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
-        energy.add_resultants(kernel, grid);
+        energy.add_carried(kernel, grid);
         energy.add_punches(kernel, grid);
         Some(energy)
     }
@@ -70,108 +132,183 @@ impl Energy {
         self.resultants.len()
     }
 
+    /// By how much the slope of the gap of each contact grows since bodies turn, under every punch and then under each of some punches more; none where all is even.
+    pub(super) fn rotations(&self, solved: &Solved) -> Vec<(f64, Vec<(usize, f64)>)> {
+        let Some(turning) = &self.turning else { return Vec::new() };
+        let moment = solved.moved[self.constraints.len()];
+        let pressure = |i: usize, e: usize| solved.forces[i][e] / self.resultants[e];
+        // what pressures are compared with turns, too
+        let compared = |i: usize| {
+            let mut sum = turning.square[i] * moment + turning.given[i];
+            for e in 0..self.elements() {
+                let own = pressure(i, e);
+                sum += (turning.linear[i][e] + turning.beside[i][e]) * own;
+                if i > 0 {
+                    sum += turning.coupling[i - 1][e] * (own - pressure(i - 1, e));
+                }
+                if i + 1 < self.contacts() {
+                    sum += turning.coupling[i][e] * (own - pressure(i + 1, e));
+                }
+            }
+            sum
+        };
+        let of = |i: usize| {
+            let own = self.constraints.iter().zip(&solved.moved).filter(|(own, _)| own.contact == i);
+            let (mut all, mut each) = (-compared(i), Vec::new());
+            for (constraint, moved) in own {
+                match constraint.kind {
+                    Carried::Resultant(_) => {}
+                    Carried::Moment(punch, _) => each.push((punch, -moved)),
+                    Carried::WholeMoment => all -= moved,
+                }
+            }
+            (all, each)
+        };
+        (0..self.contacts()).map(of).collect()
+    }
+
     fn add_half_planes(&mut self, least: &[f64], grid: &Grid) {
-        let (elements, reference, twin) = (self.elements(), grid.shortest(), grid.twin());
-        let patches = |x: f64, y: f64| twin.patches(x, y, reference);
+        let (elements, reference, patch) = (self.elements(), grid.shortest(), grid.patch());
         let edges = grid.edges();
-        let of_edges =
-            Mat::from_fn(elements + 1, elements + 1, |e, f| if f <= e { patches(edges[e], edges[f]) } else { 0.0 });
+        let of_edges = Mat::from_fn(elements + 1, elements + 1, |e, f| {
+            if f <= e { patch.both(edges[e], edges[f], reference) } else { 0.0 }
+        });
         // the elements before a pair of edges
         let both = |e: usize, f: usize| {
             let at = |e: usize, f: usize| of_edges[(e.max(f), e.min(f))];
             at(e + 1, f + 1) - at(e, f + 1) - at(e + 1, f) + at(e, f)
         };
         // per unit of the resultant
-        let whole = twin.patch(reference);
-        let to_edge: Vec<f64> = edges.iter().map(|edge| patches(*edge, reference)).collect();
+        let whole = patch.middle(reference);
+        let to_edge: Vec<f64> = edges.iter().map(|edge| patch.with_middle(*edge, reference)).collect();
         let with_it: Vec<f64> = to_edge.windows(2).map(|pair| (pair[1] - pair[0]) / whole).collect();
-        let itself = patches(reference, reference) / whole.powi(2);
+        let itself = [reference, -reference].map(|x| patch.with_middle(x, reference));
+        let itself = if patch == Patch::Strip { itself[0] - itself[1] } else { itself[0] } / whole.powi(2);
         for e in 0..elements {
             let own = self.resultants[e];
             for f in 0..=e {
                 let other = self.resultants[f];
                 let both = both(e, f) - own * with_it[f] - other * with_it[e] + own * other * itself;
                 for (unit, least) in self.unit.iter_mut().zip(least) {
-                    unit[(e, f)] = twin.half_space(*least) * both;
+                    unit[(e, f)] = patch.half_space(*least) * both;
                     unit[(f, e)] = unit[(e, f)];
                 }
             }
             for (linear, least) in self.linear.iter_mut().zip(least) {
-                linear[e] = twin.half_space(*least) * (with_it[e] - own * itself);
+                linear[e] = patch.half_space(*least) * (with_it[e] - own * itself);
             }
         }
     }
 
     fn add_waves(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, waves: &Waves) {
-        let (elements, twin) = (self.elements(), grid.twin());
-        let whole = twin.patch(grid.shortest());
         for (from, to) in waves.octaves() {
-            let (zeta, widths): (Vec<f64>, Vec<f64>) = rule(waves.nodes).on(from, to).unzip();
-            let mut transforms = Mat::<f64>::zeros(zeta.len(), elements);
-            let reference = twin.patch_transform(&zeta, grid.shortest());
-            let beyond: Vec<f64> = reference.iter().map(|transform| transform / whole).collect();
-            let mut edge = vec![0.0; zeta.len()];
-            for e in 0..elements {
-                let next = twin.patch_transform(&zeta, grid.edges()[e + 1]);
-                let column = transforms.col_as_slice_mut(e);
-                for (k, next) in next.iter().enumerate() {
-                    column[k] = next - edge[k] - self.resultants[e] * beyond[k];
-                }
-                edge = next;
-            }
-            for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
-                let (mut weights, mut forces) = (Vec::new(), Vec::new());
-                for ((zeta, w), beyond) in zeta.iter().zip(&widths).zip(&beyond) {
-                    let w = w / twin.over_waves(*zeta);
-                    let (own, coupled) = (kernel.own(i, *zeta) - least[i], kernel.coupled(i, *zeta));
-                    weights.push(w * (own + coupled));
-                    // a given neighbour counts by what it differs from the pressure that all are compared with
-                    forces.push(w * (own * (1.0 + beyond) + coupled * beyond - kernel.given(i, *zeta)));
-                }
-                add_gram(&transforms, &weights, unit);
-                for (e, linear) in linear.iter_mut().enumerate() {
-                    *linear += transforms.col_as_slice(e).iter().zip(&forces).map(|(d, force)| d * force).sum::<f64>();
-                }
-            }
-            for (i, coupling) in self.coupling.iter_mut().enumerate() {
-                let weights: Vec<f64> = zeta
-                    .iter()
-                    .zip(&widths)
-                    .map(|(zeta, w)| w / twin.over_waves(*zeta) * kernel.coupling(i, *zeta))
-                    .collect();
-                if weights.iter().any(|weight| *weight != 0.0) {
-                    add_gram(&transforms, &weights, coupling);
-                }
+            let (zeta, widths): (Vec<f64>, Vec<f64>) = rule(waves.nodes(to)).on(from, to).unzip();
+            let widths = widths.iter().zip(&zeta).map(|(w, zeta)| w / grid.patch().over_waves(*zeta)).collect();
+            let octave = Octave { zeta, widths, windows: waves.windows(grid, to) };
+            self.add_even(kernel, least, grid, &octave);
+            if let Some(mut turning) = self.turning.take() {
+                self.add_odd(kernel, least, grid, &octave, &mut turning);
+                self.turning = Some(turning);
             }
         }
     }
 
-    /// Adds multiples of the squares of the resultants, which are given: a pressure like that which all are compared with has no
+    /// Adds the even parts of some waves.
+    fn add_even(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, octave: &Octave) {
+        let reference = grid.shortest();
+        let whole = grid.patch().resultant(reference);
+        let beyond = grid.patch().transform(&octave.zeta, reference).into_iter();
+        let beyond: Vec<f64> = beyond.map(|own| if octave.is_one() { own / whole } else { -1.0 }).collect();
+        let of = |x: f64| grid.patch().transform(&octave.zeta, x);
+        let transforms = octave.transforms(grid, of, |e, k| -grid.carried(e)[0] * beyond[k]);
+        for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
+            let (mut weights, mut forces) = (Vec::new(), Vec::new());
+            for ((zeta, w), beyond) in octave.zeta.iter().zip(&octave.widths).zip(&beyond) {
+                let (own, coupled) = (kernel.own(i, *zeta) - least[i], kernel.coupled(i, *zeta));
+                weights.push(w * (own + coupled));
+                // a given neighbour counts by what it differs from the pressure that all are compared with
+                forces.push(w * (own * (1.0 + beyond) + coupled * beyond - kernel.given(i, *zeta)));
+            }
+            octave.add_gram(&transforms, &weights, unit);
+            add_products(&transforms, &forces, linear);
+        }
+        self.add_couplings(kernel, &transforms, octave);
+    }
+
+    /// Adds the odd parts of some waves. As for resultants, pressures are compared with one of the same moment: long waves, by which laminates bend, lose no digits.
+    fn add_odd(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, octave: &Octave, turning: &mut Turning) {
+        let Octave { zeta, widths, .. } = octave;
+        let reference = grid.shortest();
+        // per unit of the moment of a pressure 1 on one half of it and −1 on the other
+        let beyond = Patch::odd_transform(zeta, reference).into_iter().zip(zeta);
+        let beyond: Vec<f64> = beyond
+            .map(|(own, zeta)| if octave.is_one() { 2.0 * own / (reference * reference) } else { -zeta })
+            .collect();
+        let of = |x: f64| Patch::odd_transform(zeta, x);
+        let transforms = octave.transforms(grid, of, |e, k| -grid.carried(e)[1] * beyond[k]);
+        let unit: Vec<f64> = beyond.iter().zip(zeta).map(|(beyond, zeta)| beyond + zeta).collect();
+        for (i, least) in least.iter().enumerate() {
+            let [mut weights, mut forces, mut turned, mut beside] = [(); 4].map(|()| Vec::new());
+            for (((zeta, w), beyond), unit) in zeta.iter().zip(widths).zip(&beyond).zip(&unit) {
+                let (own, coupled) = (w * (kernel.own(i, *zeta) - least), w * kernel.coupled(i, *zeta));
+                let given = w * kernel.given_odd(i, *zeta, *beyond);
+                weights.push(own + coupled);
+                forces.push(given);
+                turned.push(own * unit);
+                beside.push(coupled * unit);
+                turning.square[i] += own * unit * unit;
+                turning.given[i] += given * unit;
+            }
+            octave.add_gram(&transforms, &weights, &mut self.unit[i]);
+            add_products(&transforms, &forces, &mut self.linear[i]);
+            add_products(&transforms, &turned, &mut turning.linear[i]);
+            add_products(&transforms, &beside, &mut turning.beside[i]);
+        }
+        for (i, sum) in turning.coupling.iter_mut().enumerate() {
+            let all = zeta.iter().zip(widths).zip(&unit);
+            let weights: Vec<f64> = all.map(|((zeta, w), unit)| w * kernel.coupling(i, *zeta) * unit).collect();
+            add_products(&transforms, &weights, sum);
+        }
+        self.add_couplings(kernel, &transforms, octave);
+    }
+
+    fn add_couplings(&mut self, kernel: &Compliances, transforms: &Mat<f64>, octave: &Octave) {
+        for (i, coupling) in self.coupling.iter_mut().enumerate() {
+            let all = octave.zeta.iter().zip(&octave.widths);
+            let weights: Vec<f64> = all.map(|(zeta, w)| w * kernel.coupling(i, *zeta)).collect();
+            octave.add_gram(transforms, &weights, coupling);
+        }
+    }
+
+    /// Adds multiples of the squares of resultants and moments, which are given or the same in all contacts: a pressure like those which all are compared with has no
     /// energy otherwise.
-    fn add_resultants(&mut self, kernel: &Compliances, grid: &Grid) {
-        let unit_length = grid.twin().measure(grid.shortest().recip());
+    fn add_carried(&mut self, kernel: &Compliances, grid: &Grid) {
+        let unit_length = grid.patch().twin().measure(grid.shortest().recip());
+        let carried: Vec<[f64; 2]> = (0..self.elements()).map(|e| grid.carried(e)).collect();
         for (i, unit) in self.unit.iter_mut().enumerate() {
-            for e in 0..self.resultants.len() {
-                for f in 0..self.resultants.len() {
-                    unit[(e, f)] += unit_length * kernel.limit(i) * self.resultants[e] * self.resultants[f];
+            let own = unit_length * kernel.limit(i);
+            let of_moment = own / (grid.shortest() * grid.shortest());
+            for (e, [resultant, moment]) in carried.iter().enumerate() {
+                for (f, other) in carried.iter().enumerate() {
+                    unit[(e, f)] += own * resultant * other[0] + of_moment * moment * other[1];
                 }
+            }
+            if let Some(turning) = &mut self.turning {
+                turning.square[i] -= of_moment;
             }
         }
     }
 
     fn add_punches(&mut self, kernel: &Compliances, grid: &Grid) {
         for i in 0..self.contacts() {
-            let Some(profile) = kernel.side(i).profile() else { continue };
-            let last = profile.edge().unwrap_or(f64::INFINITY);
             for e in 0..self.elements() {
                 let [from, to] = grid.element(e);
-                self.inadmissible[i][e] = to > last;
-                if !self.inadmissible[i][e] {
-                    let heights = rule(8)
-                        .on(from, to)
-                        .map(|(x, weight)| grid.twin().patch_measure(x) * weight * profile.height(x));
-                    self.linear[i][e] += heights.sum::<f64>();
-                }
+                let Some(height) = kernel.height(i, [from, to]) else {
+                    self.inadmissible[i][e] = true;
+                    continue;
+                };
+                let heights = rule(8).on(from, to).map(|(x, weight)| grid.patch().measure(x) * weight * height(x));
+                self.linear[i][e] += heights.sum::<f64>();
             }
         }
     }
@@ -181,20 +318,46 @@ impl Energy {
 struct Waves {
     first: f64,
     last: f64,
-    /// Nodes in each.
-    nodes: usize,
+    /// Nodes in each at least, and at most.
+    least: f64,
+    most: usize,
+    /// How far apart elements are, or an element and the mirror image of another.
+    span: f64,
 }
 
 impl Waves {
     fn new(grid: &Grid) -> Self {
         let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
-        let fineness = grid.edges()[1..].iter().zip(&widths).map(|(x, width)| x / width).fold(0.0, f64::max);
+        let reach = |pair: &[f64]| grid.distance(pair[1]).max(grid.distance(pair[0]));
+        let fineness = grid.edges().windows(2).map(|pair| reach(pair) / (pair[1] - pair[0])).fold(0.0, f64::max);
+        let (is_even, fineness) = (grid.patch() != Patch::Strip, LEAST_FINENESS + fineness.min(MOST_FINENESS));
+        let longest = grid.edges()[0].abs().max(grid.edges()[widths.len()]);
         Self {
-            first: LONGEST_WAVE / grid.edges()[widths.len()],
+            first: LONGEST_WAVE / longest,
             last: SHORTEST_WAVE / shortest,
-            nodes: (PER_FINENESS * (8.0 + fineness.min(80.0))) as usize,
+            least: PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS },
+            most: (PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS + MOST_FINENESS }) as usize,
+            span: grid.edges()[widths.len()] + longest,
         }
+    }
+
+    /// Elements from left to right that waves up to a wavenumber tell from each other; all where all is even.
+    fn windows(&self, grid: &Grid, wavenumber: f64) -> Vec<Range<usize>> {
+        let length = if grid.patch() == Patch::Strip { TOLD * self.most as f64 / wavenumber } else { f64::INFINITY };
+        let mut windows: Vec<Range<usize>> = Vec::new();
+        for e in 0..grid.elements() {
+            match windows.last_mut() {
+                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= length => last.end = e + 1,
+                _ => windows.push(e..e + 1),
+            }
+        }
+        windows
+    }
+
+    /// As many nodes up to a wavenumber as phases take.
+    fn nodes(&self, wavenumber: f64) -> usize {
+        self.most.min((self.least + wavenumber * self.span) as usize)
     }
 
     fn octaves(&self) -> impl Iterator<Item = (f64, f64)> {
@@ -242,11 +405,57 @@ fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
     })
 }
 
-/// Adds transformsᵀ diag(weights) transforms.
-fn add_gram(transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
-    let mut weighted = transforms.clone();
-    for e in 0..weighted.ncols() {
-        weighted.col_as_slice_mut(e).iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
+/// Some waves.
+struct Octave {
+    zeta: Vec<f64>,
+    /// By which products of transforms are weighed besides kernels.
+    widths: Vec<f64>,
+    /// Elements so near each other that the sum over these waves tells what they do to each other; elements farther apart do next to nothing to each other by waves so short.
+    windows: Vec<Range<usize>>,
+}
+
+impl Octave {
+    /// Whether all elements feel each other: so long are the waves that pressures are compared with one of the same resultant and moment.
+    fn is_one(&self) -> bool {
+        self.windows.len() == 1
     }
-    matmul(sum.as_mut(), Accum::Add, transforms.transpose(), weighted.as_ref(), 1.0, Par::Seq);
+
+    /// Transforms of all elements, one column for each: what the transform of a patch grows by, and what is added at a wave.
+    fn transforms(&self, grid: &Grid, of: impl Fn(f64) -> Vec<f64>, add: impl Fn(usize, usize) -> f64) -> Mat<f64> {
+        let mut transforms = Mat::<f64>::zeros(self.zeta.len(), grid.elements());
+        let mut edge = of(grid.edges()[0]);
+        for e in 0..grid.elements() {
+            let next = of(grid.edges()[e + 1]);
+            let column = transforms.col_as_slice_mut(e);
+            for (k, (next, edge)) in next.iter().zip(&edge).enumerate() {
+                column[k] = next - edge + add(e, k);
+            }
+            edge = next;
+        }
+        transforms
+    }
+
+    /// Adds transformsᵀ diag(weights) transforms, window by window.
+    fn add_gram(&self, transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
+        if weights.iter().all(|weight| *weight == 0.0) {
+            return;
+        }
+        let mut weighted = transforms.clone();
+        for e in 0..weighted.ncols() {
+            weighted.col_as_slice_mut(e).iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
+        }
+        for window in &self.windows {
+            let (first, count) = (window.start, window.len());
+            let [own, weighted] = [transforms, &weighted].map(|all| all.subcols(first, count));
+            let sum = sum.as_mut().submatrix_mut(first, first, count, count);
+            matmul(sum, Accum::Add, own.transpose(), weighted, 1.0, Par::Seq);
+        }
+    }
+}
+
+/// Adds transformsᵀ forces.
+fn add_products(transforms: &Mat<f64>, forces: &[f64], sum: &mut [f64]) {
+    for (e, sum) in sum.iter_mut().enumerate() {
+        *sum += transforms.col_as_slice(e).iter().zip(forces).map(|(d, force)| d * force).sum::<f64>();
+    }
 }

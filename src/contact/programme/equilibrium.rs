@@ -10,7 +10,7 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatRef, Par, Side};
 
-use crate::contact::programme::energy::Energy;
+use crate::contact::programme::energy::{Carried, Energy};
 
 /// A value for each element of each contact.
 pub(super) type Elements<T> = Vec<Vec<T>>;
@@ -29,6 +29,8 @@ pub(super) struct State {
     pub(super) gaps: Elements<f64>,
     /// The magnitudes of all that a gap is the sum of: a gap is known to a rounding of these.
     pub(super) terms: Elements<f64>,
+    /// The approach or rotation that goes with each constraint, and where nothing is even the moment of all that presses on the stack.
+    pub(super) moved: Vec<f64>,
 }
 
 /// How the unknowns of a contact follow from the pressure above: u = gain p + own, a column for each right-hand side.
@@ -51,15 +53,16 @@ impl<'a> Equilibrium<'a> {
         Self { energy, elements: touching.iter().map(number).collect() }
     }
 
-    /// A unit approach of contact i in column i, and what the punch does in the last, for the elements that touch.
+    /// What each constraint does to contact i, a unit approach or rotation, then a unit moment, and what the punch does in the last column, for the elements that touch.
     fn load(&self, i: usize) -> Mat<f64> {
-        let Energy { linear, resultants, .. } = self.energy;
-        let n = self.energy.contacts();
-        Mat::from_fn(self.elements[i].len(), n + 1, |k, c| match self.elements[i][k] {
-            e if c == i => resultants[e],
-            e if c == n => linear[i][e],
-            _ => 0.0,
-        })
+        let Energy { linear, constraints, turning, .. } = self.energy;
+        let of = |e: usize, c: usize| match (constraints.get(c), turning) {
+            (Some(own), _) => own.weight(i, e),
+            (None, Some(turning)) if c == constraints.len() => -turning.linear[i][e],
+            _ => linear[i][e],
+        };
+        let columns = constraints.len() + usize::from(turning.is_some()) + 1;
+        Mat::from_fn(self.elements[i].len(), columns, |k, c| of(self.elements[i][k], c))
     }
 
     /// Eliminates contact i + 1: what it makes of a pressure on contact i, and the energy that is left.
@@ -139,12 +142,11 @@ impl<'a> Equilibrium<'a> {
         unknowns
     }
 
-    /// Pressures and gaps; `None` if the equations cannot be solved in double precision.
-    pub(super) fn solve(&self) -> Option<State> {
-        let Energy { linear, resultants, .. } = self.energy;
-        let n = self.energy.contacts();
-        let responses = self.unknowns()?;
-        let mut stiffness = Mat::<f64>::zeros(n, n + 1);
+    /// The approach or rotation that goes with each constraint, and the whole moment, from how unknowns respond to them.
+    fn moved(&self, responses: &[Mat<f64>]) -> Vec<f64> {
+        let Energy { constraints, turning, .. } = self.energy;
+        let n = constraints.len() + usize::from(turning.is_some());
+        let mut rows = Mat::<f64>::zeros(n, n + 1);
         let mut pressure = Mat::zeros(0, 0);
         for (i, unknowns) in responses.iter().enumerate() {
             pressure = match i.checked_sub(1) {
@@ -152,19 +154,55 @@ impl<'a> Equilibrium<'a> {
                 None => unknowns.clone(),
             };
             for c in 0..=n {
-                let terms = self.elements[i].iter().zip(pressure.col_as_slice(c)).map(|(e, p)| resultants[*e] * p);
-                stiffness[(i, c)] = terms.sum();
+                let sum = |weight: &dyn Fn(usize) -> f64| -> f64 {
+                    self.elements[i].iter().zip(pressure.col_as_slice(c)).map(|(e, p)| weight(*e) * p).sum()
+                };
+                for (row, own) in constraints.iter().enumerate().filter(|(_, own)| own.contact == i) {
+                    rows[(row, c)] += sum(&|e| own.weights[e]);
+                }
+                if let Some(turning) = turning {
+                    rows[(n - 1, c)] += sum(&|e| turning.linear[i][e]);
+                }
             }
         }
-        let missing = Mat::from_fn(n, 1, |i, _| 1.0 + stiffness[(i, n)]);
-        let approach = stiffness.subcols(0, n).partial_piv_lu().solve(missing);
-        let mut pressures = vec![vec![0.0; self.energy.elements()]; n];
+        let mut known = Mat::from_fn(n, 1, |row, _| rows[(row, n)]);
+        for (row, own) in constraints.iter().enumerate() {
+            match own.kind {
+                Carried::Resultant(value) | Carried::Moment(_, value) => known[(row, 0)] += value,
+                Carried::WholeMoment => {
+                    rows[(row, n - 1)] -= 1.0;
+                    rows[(n - 1, row)] += 1.0;
+                }
+            }
+        }
+        if let Some(turning) = turning {
+            rows[(n - 1, n - 1)] += turning.square.iter().sum::<f64>();
+            if let Some(moment) = turning.moment {
+                (0..n).for_each(|c| rows[(n - 1, c)] = if c + 1 == n { 1.0 } else { 0.0 });
+                known[(n - 1, 0)] = moment;
+            }
+        }
+        rows.subcols(0, n).partial_piv_lu().solve(known).col_as_slice(0).to_vec()
+    }
+
+    /// Pressures and gaps; `None` if the equations cannot be solved in double precision.
+    pub(super) fn solve(&self) -> Option<State> {
+        let Energy { linear, resultants, constraints, turning, .. } = self.energy;
+        let contacts = self.energy.contacts();
+        let responses = self.unknowns()?;
+        let moved = self.moved(&responses);
+        let n = moved.len();
+        let mut pressures = vec![vec![0.0; self.energy.elements()]; contacts];
         let mut gaps = linear.clone();
-        let mut terms: Elements<f64> = linear.iter().map(|own| own.iter().map(|value| value.abs()).collect()).collect();
+        if let (Some(turning), Some(moment)) = (turning, moved.last()) {
+            let all = gaps.iter_mut().flatten().zip(turning.linear.iter().flatten());
+            all.for_each(|(gap, linear)| *gap += moment * linear);
+        }
+        let mut terms: Elements<f64> = gaps.iter().map(|own| own.iter().map(|value| value.abs()).collect()).collect();
         for (i, responses) in responses.iter().enumerate() {
             let mut jump = if i > 0 { pressures[i - 1].clone() } else { Vec::new() };
             for (k, e) in self.elements[i].iter().enumerate() {
-                let unknown = (0..n).map(|c| responses[(k, c)] * approach[(c, 0)]).sum::<f64>() - responses[(k, n)];
+                let unknown = (0..n).map(|c| responses[(k, c)] * moved[c]).sum::<f64>() - responses[(k, n)];
                 let mut above = 0.0;
                 if i > 0 {
                     jump[*e] = -unknown;
@@ -179,13 +217,15 @@ impl<'a> Equilibrium<'a> {
             add_product(1.0, &self.energy.unit[i], &pressures[i], &mut gaps[i], &mut terms[i]);
         }
         for (i, (gaps, terms)) in gaps.iter_mut().zip(&mut terms).enumerate() {
-            for ((gap, terms), resultant) in gaps.iter_mut().zip(terms).zip(resultants) {
-                *gap = *gap / resultant - approach[(i, 0)];
-                *terms = *terms / resultant + approach[(i, 0)].abs();
+            for (e, ((gap, terms), resultant)) in gaps.iter_mut().zip(terms).zip(resultants).enumerate() {
+                let all = constraints.iter().enumerate().map(|(c, own)| own.weight(i, e) * moved[c]);
+                let [sum, size] = all.fold([0.0; 2], |[sum, size], own| [sum + own, size + own.abs()]);
+                *gap = (*gap - sum) / resultant;
+                *terms = (*terms + size) / resultant;
             }
         }
-        let finite = pressures.iter().chain(&gaps).flatten().all(|value| value.is_finite());
-        finite.then_some(State { pressures, gaps, terms })
+        let finite = pressures.iter().chain(&gaps).flatten().chain(&moved).all(|value| value.is_finite());
+        finite.then_some(State { pressures, gaps, terms, moved })
     }
 }
 

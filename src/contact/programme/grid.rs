@@ -1,6 +1,7 @@
 //! Elements on which pressures are constant.
-use crate::contact::problem::twin::Twin;
+use crate::contact::intervals::Expected;
 use crate::contact::programme::UNRESOLVED;
+use crate::contact::programme::patch::Patch;
 
 /// Elements grow by this factor from the middle outwards.
 const GROWTH: f64 = 1.15;
@@ -9,38 +10,44 @@ const FIRST: f64 = 0.05;
 /// Elements at most: a factor of ten between the shortest and the longest length takes some 17 of them.
 const MOST: usize = 2000;
 
-/// The edges of all elements, from x = 0 on, in units of L.
+/// The edges of all elements, from left to right, or from x = 0 on where all is even; in units of L.
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     edges: Vec<f64>,
-    shortest: f64,
-    twin: Twin,
+    /// Where contacts are expected, and their half-lengths: elements grow with the distance from the nearest one.
+    about: Vec<[f64; 2]>,
+    patch: Patch,
 }
 
 impl Grid {
-    /// For contacts from a length to another; the punch may have an edge. `None` if the lengths are no positive, finite
-    /// numbers, or so different that there would be too many elements.
-    pub(super) fn new(shortest: f64, end: f64, edge: Option<f64>, twin: Twin) -> Option<Self> {
-        let first = FIRST * shortest;
-        if !(first.is_normal() && first > 0.0 && end.is_finite()) {
+    /// From one place to another, with elements that grow with the distance from some places, next to which they are short against a length; with ends of elements at others. `None` if
+    /// lengths are no positive, finite numbers, or so different that there would be too many elements.
+    pub(super) fn new(about: Vec<[f64; 2]>, [from, to]: [f64; 2], at: &[f64], patch: Patch) -> Option<Self> {
+        let is_length = |half: f64| (FIRST * half).is_normal() && half > 0.0;
+        if about.is_empty() || !about.iter().all(|[_, half]| is_length(*half)) || !(to - from).is_finite() {
             return None;
         }
-        let mut edges = vec![0.0, first];
-        let mut width = first;
-        while edges[edges.len() - 1] < end {
-            let edge = edges[edges.len() - 1];
-            // as long as the first until they may be longer
-            width = width.max((GROWTH - 1.0) * edge);
-            if edges.len() > MOST {
+        let mut grid = Self { edges: vec![from], about, patch };
+        while grid.last() < to {
+            if grid.edges.len() > MOST {
                 return None;
             }
-            edges.push(edge + width);
+            let width = grid.growing(grid.last());
+            // towards one of the places they become shorter
+            grid.edges.push(grid.last() + width.min(grid.growing(grid.last() + width)));
         }
-        let mut grid = Self { edges, shortest, twin };
-        if let Some(edge) = edge {
-            grid.insert(edge);
-        }
+        at.iter().for_each(|x| grid.insert(*x));
         Some(grid)
+    }
+
+    /// How long an element at x is at first.
+    fn growing(&self, x: f64) -> f64 {
+        let of = |[place, half]: &[f64; 2]| (FIRST * half).max((GROWTH - 1.0) * (x - place).abs());
+        self.about.iter().map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    fn last(&self) -> f64 {
+        self.edges[self.edges.len() - 1]
     }
 
     /// Ends an element at x, in place of the nearest other end.
@@ -53,9 +60,14 @@ impl Grid {
         self.edges[nearest] = x;
     }
 
-    /// The shortest contact it is made for.
+    /// The shortest length it is made for.
     pub(super) fn shortest(&self) -> f64 {
-        self.shortest
+        self.about.iter().fold(f64::INFINITY, |shortest, [_, half]| shortest.min(*half))
+    }
+
+    /// How far x is from the nearest place where a contact is expected.
+    pub(super) fn distance(&self, x: f64) -> f64 {
+        self.about.iter().map(|[place, _]| (x - place).abs()).fold(f64::INFINITY, f64::min)
     }
 
     pub(super) fn elements(&self) -> usize {
@@ -66,14 +78,14 @@ impl Grid {
         &self.edges
     }
 
-    /// Strips, or rings about an axis.
-    pub(super) fn twin(&self) -> Twin {
-        self.twin
+    /// What the elements are.
+    pub(super) fn patch(&self) -> Patch {
+        self.patch
     }
 
-    /// The resultant of a pressure 1 on an element.
-    pub(super) fn resultant(&self, e: usize) -> f64 {
-        self.twin.element(self.element(e))
+    /// Resultant and moment of a pressure 1 on an element.
+    pub(super) fn carried(&self, e: usize) -> [f64; 2] {
+        self.patch.element(self.element(e))
     }
 
     pub(super) fn element(&self, e: usize) -> [f64; 2] {
@@ -82,9 +94,12 @@ impl Grid {
 
     /// The same, and some more.
     pub(super) fn longer(mut self, factor: f64) -> Self {
-        let end = factor * self.edges[self.edges.len() - 1];
-        while self.edges[self.edges.len() - 1] < end && self.edges.len() <= MOST {
-            self.edges.push(GROWTH * self.edges[self.edges.len() - 1]);
+        let [from, to] = [self.edges[0], self.last()].map(|end| factor * end);
+        while self.last() < to && self.edges.len() <= MOST {
+            self.edges.push(self.last() + self.growing(self.last()));
+        }
+        while self.edges[0] > from && self.edges.len() <= MOST {
+            self.edges.insert(0, self.edges[0] - self.growing(self.edges[0]));
         }
         self
     }
@@ -105,14 +120,23 @@ impl Grid {
         found
     }
 
+    /// Which elements touch where a contact is expected.
+    pub(super) fn within(&self, expected: &[Expected], contact: usize) -> Vec<bool> {
+        let is_there =
+            |x: f64| expected.iter().any(|own| own.contact == contact && own.ends[0] <= x && x <= own.ends[1]);
+        self.edges.windows(2).map(|pair| is_there(0.5 * (pair[0] + pair[1]))).collect()
+    }
+
     /// Which elements touch, if an element touches where the element of a coarser grid that contains it does.
     pub(super) fn inherit(&self, coarse: &Self, touching: &[Vec<bool>]) -> Vec<Vec<bool>> {
         let parent = |e: usize| {
             let [from, to] = self.element(e);
-            coarse.edges.partition_point(|edge| *edge < 0.5 * (from + to)) - 1
+            coarse.edges.partition_point(|edge| *edge < 0.5 * (from + to)).checked_sub(1)
         };
-        let parents: Vec<usize> = (0..self.elements()).map(parent).collect();
-        let inherited = |own: &Vec<bool>| parents.iter().map(|e| own.get(*e).is_some_and(|touches| *touches)).collect();
+        let parents: Vec<Option<usize>> = (0..self.elements()).map(parent).collect();
+        let inherited = |own: &Vec<bool>| {
+            parents.iter().map(|e| e.and_then(|e| own.get(e)).is_some_and(|touches| *touches)).collect()
+        };
         touching.iter().map(inherited).collect()
     }
 }
@@ -123,11 +147,20 @@ mod tests {
 
     #[test]
     fn a_grid_ends_whatever_it_is_made_for() {
-        assert!(Grid::new(1e-3, 1e3, Some(2.0), Twin::Plane).is_some());
-        for (shortest, end) in
+        let grid = |half: f64, end: f64| Grid::new(vec![[0.0, half]], [0.0, end], &[2.0], Patch::Pair);
+        assert!(grid(1e-3, 1e3).is_some_and(|grid| grid.edges().contains(&2.0)));
+        for (half, end) in
             [(0.0, 1.0), (1.0, f64::INFINITY), (f64::NAN, 1.0), (1.0, f64::NAN), (1e-300, 1e300), (f64::INFINITY, 1.0)]
         {
-            assert!(Grid::new(shortest, end, None, Twin::Plane).is_none(), "{shortest} {end}");
+            assert!(grid(half, end).is_none(), "{half} {end}");
+        }
+        // next to each of two places elements are as short as its length asks for
+        let about = vec![[-50.0, 0.1], [3.0, 2.0]];
+        let grid = Grid::new(about, [-300.0, 20.0], &[-49.9], Patch::Strip).unwrap().longer(6.0);
+        assert!(grid.edges().is_sorted() && grid.edges()[0] <= -1800.0 && grid.edges().contains(&-49.9));
+        for e in 0..grid.elements() {
+            let [from, to] = grid.element(e);
+            assert!(to - from <= 0.1 + 0.2 * grid.distance(0.5 * (from + to)), "{from} {to}");
         }
     }
 }

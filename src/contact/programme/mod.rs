@@ -16,11 +16,14 @@ mod tests;
 
 use std::ops::Range;
 
+use crate::contact::intervals::Expected;
+use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, accuracy};
-use active_set::Programme;
+use active_set::{Programme, Solved};
 use compliances::Compliances;
 use energy::Energy;
 use grid::Grid;
+use patch::Patch;
 
 pub(super) use answer::answer;
 
@@ -61,8 +64,8 @@ struct Resolution {
     is_answer: bool,
 }
 
-/// Where one contact touches: intervals of x ≥ 0, in units of L, ascending.
-#[derive(Clone, Debug, PartialEq)]
+/// Where one contact touches: intervals, of x ≥ 0 where all is even, in units of L, ascending.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct ActiveIntervals {
     /// All that are longer than artefacts of the grid.
     pub(super) resolved: Vec<[f64; 2]>,
@@ -70,12 +73,33 @@ pub(super) struct ActiveIntervals {
     pub(super) separate: Vec<[f64; 2]>,
     /// All but artefacts of the grid next to others.
     pub(super) loaded: Vec<[f64; 2]>,
+    /// Between which places one of several punches may press and the next one may.
+    between: Vec<f64>,
 }
 
 impl ActiveIntervals {
     fn one(end: f64) -> Self {
         let whole = || vec![[0.0, end]];
-        Self { resolved: whole(), separate: whole(), loaded: whole() }
+        Self { resolved: whole(), separate: whole(), loaded: whole(), between: Vec::new() }
+    }
+
+    /// The same under several punches, between which no interval goes on.
+    fn under(self, between: Vec<f64>) -> Self {
+        let split = |all: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
+            let of = |[from, to]: [f64; 2]| {
+                let inside = between.iter().copied().filter(move |x| from < *x && *x < to);
+                let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+                (1..ends.len()).map(move |k| [ends[k - 1], ends[k]])
+            };
+            all.into_iter().flat_map(of).collect()
+        };
+        let [resolved, separate, loaded] = [self.resolved, self.separate, self.loaded].map(split);
+        Self { resolved, separate, loaded, between }
+    }
+
+    /// The number of the punch that presses on an interval, from the left.
+    pub(super) fn punch(&self, [from, to]: [f64; 2]) -> usize {
+        self.between.partition_point(|between| *between < 0.5 * (from + to))
     }
 
     /// Where the innermost interval ends.
@@ -100,8 +124,9 @@ impl ActiveIntervals {
 /// The programme on one grid: which elements of each contact touch, and the forces on them.
 struct Cycle {
     grid: Grid,
-    touching: Vec<Vec<bool>>,
-    forces: Vec<Vec<f64>>,
+    solved: Solved,
+    /// By how much the slope of the gap of each contact grows since bodies turn, and how much more under some punches.
+    rotations: Vec<(f64, Vec<(usize, f64)>)>,
 }
 
 impl Cycle {
@@ -110,62 +135,96 @@ impl Cycle {
             let mut loaded = touching.clone();
             separate_where_grazing(&mut loaded, forces, &self.grid);
             ActiveIntervals {
-                resolved: parts(&resolved_only(touching), &self.grid),
+                resolved: parts(&resolved_only(touching, self.grid.patch()), &self.grid),
                 separate: parts(touching, &self.grid),
                 loaded: parts(&loaded, &self.grid),
+                between: Vec::new(),
             }
         };
-        self.touching.iter().zip(&self.forces).map(active).collect()
+        self.solved.touching.iter().zip(&self.solved.forces).map(active).collect()
     }
 }
 
-/// Where all contacts touch, from the top down; `expected` are half-lengths to make a grid for, and
-/// `far` is a place that is to be well inside it. `None` if the programme has no solution in double precision.
-pub(super) fn active(problem: &Problem, expected: &[f64], far: f64) -> Option<Vec<ActiveIntervals>> {
-    let cycles = cycles(problem, expected, far, COARSE);
-    let mut found = cycles.last()?.active().into_iter();
-    let of = |side: &Side| match side.given() {
-        Some(given) => Some(ActiveIntervals::one(given.half_length)),
-        None => found.next(),
+/// Where all contacts touch, from the top down; `expected` is where contacts are expected, to make a grid for, and
+/// `far` is how far from x = 0 a place is that is to be well inside it. `None` if the programme has no solution in double precision.
+pub(super) fn active(problem: &Problem, expected: &[Expected], far: f64) -> Option<Vec<ActiveIntervals>> {
+    active_on(problem, expected, cycles(problem, expected, far, COARSE).last()?)
+}
+
+/// The same on one grid.
+fn active_on(problem: &Problem, expected: &[Expected], cycle: &Cycle) -> Option<Vec<ActiveIntervals>> {
+    let mut found = cycle.active().into_iter();
+    let of = |side: &Side| match side {
+        Side::Known(given) => Some(ActiveIntervals::one(given.half_length)),
+        Side::Punches(_) => found.next().map(|own| own.under(between(expected))),
+        _ => found.next(),
     };
     problem.sides.iter().map(of).collect()
 }
 
-/// The last refinement cycles, two at most, with the finest grids.
-fn cycles(problem: &Problem, expected: &[f64], far: f64, resolution: Resolution) -> Vec<Cycle> {
-    // a prescribed traction is no unknown of the programme
-    let kernel = &Compliances::new(problem);
-    if kernel.contacts() == 0 {
-        return Vec::new();
-    }
+/// Places in the middle between contacts that are expected under punches next to each other.
+fn between(expected: &[Expected]) -> Vec<f64> {
+    let top: Vec<&Expected> = expected.iter().filter(|one| one.contact == 0).collect();
+    top.windows(2).map(|pair| 0.5 * (pair[0].ends[1] + pair[1].ends[0])).collect()
+}
+
+/// The first grid: none where lengths are no positive numbers, or so different that there would be too many elements.
+fn first_grid(problem: &Problem, expected: &[Expected], far: f64) -> Option<Grid> {
+    let patch = match problem.twin() {
+        Twin::Round => Patch::Ring,
+        _ if problem.is_even() => Patch::Pair,
+        _ => Patch::Strip,
+    };
     let given = problem.sides.iter().filter_map(|side| side.given().map(|given| given.half_length));
-    let far = given.fold(far.max(problem.last_fall()), f64::max);
+    let ends = expected.iter().flat_map(|one| one.ends).map(f64::abs);
+    let reach = REACH * given.chain(ends).fold(far.max(problem.last_fall()), f64::max);
+    let half = |one: &Expected| 0.5 * (one.ends[1] - one.ends[0]);
+    if patch != Patch::Strip {
+        let shortest = expected.iter().map(half).fold(f64::INFINITY, f64::min);
+        let edge: Vec<f64> = problem.sides.iter().filter_map(Side::edge).collect();
+        return Grid::new(vec![[0.0, shortest]], [0.0, reach], &edge, patch);
+    }
+    let about = expected.iter().map(|one| [0.5 * (one.ends[0] + one.ends[1]), half(one)]).collect();
+    let punches = expected.iter().filter(|one| one.contact == 0).map(|one| one.punch);
+    let ends = punches.flat_map(|punch| problem.sides[0].ends_of(punch)).filter(|end| end.is_finite());
+    let at: Vec<f64> = between(expected).into_iter().chain(ends).collect();
+    Grid::new(about, [-reach, reach], &at, patch)
+}
+
+/// The last refinement cycles, two at most, with the finest grids.
+fn cycles(problem: &Problem, expected: &[Expected], far: f64, resolution: Resolution) -> Vec<Cycle> {
+    let between = between(expected);
+    // a prescribed traction is no unknown of the programme
+    let kernel = &Compliances::new(problem, &between);
     let mut cycles: Vec<Cycle> = Vec::new();
-    let lengths = || problem.unknown().map(|i| expected[i]);
-    let (longest, shortest) = (lengths().fold(0.0, f64::max), lengths().fold(f64::INFINITY, f64::min));
-    let edge = problem.sides.iter().find_map(Side::edge);
-    let Some(mut grid) = Grid::new(shortest, REACH * longest.max(far), edge, problem.twin()) else { return cycles };
+    let Some(mut grid) = first_grid(problem, expected, far).filter(|_| kernel.contacts() > 0) else { return cycles };
     let mut longer = LONGER;
     let most = grid.elements() + resolution.elements;
     for _ in 0..CYCLES {
         let Some(energy) = Energy::new(kernel, &grid) else { break };
-        let start = cycles.last().map(|coarse| grid.inherit(&coarse.grid, &coarse.touching));
-        let Some((mut touching, forces)) = Programme::new(&energy).solve(start) else { break };
-        for (touching, forces) in touching.iter_mut().zip(&forces) {
+        let start = match cycles.last() {
+            Some(coarse) => grid.inherit(&coarse.grid, &coarse.solved.touching),
+            None => problem.unknown().map(|contact| grid.within(expected, contact)).collect(),
+        };
+        let Some(mut solved) = Programme::new(&energy).solve(start) else { break };
+        for (touching, forces) in solved.touching.iter_mut().zip(&solved.forces) {
             separate_where_unloaded(touching, forces);
             if resolution.is_answer {
                 separate_where_grazing(touching, forces, &grid);
             }
         }
         let mut around: Vec<(usize, f64)> =
-            touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
+            solved.touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
         if resolution.is_answer {
-            let dips = touching.iter().zip(&forces).flat_map(|(touching, forces)| dips(touching, forces, &grid));
-            around.extend(dips.map(|edge| (edge, resolution.ends * grid.edges()[edge])));
+            let all = solved.touching.iter().zip(&solved.forces);
+            let dips = all.flat_map(|(touching, forces)| dips(touching, forces, &grid));
+            around.extend(dips.map(|edge| (edge, resolution.ends * grid.distance(grid.edges()[edge]))));
         }
         // an interval of re-contact that reaches the end of the grid does not end
-        let reaches_end = touching.iter().any(|touching| touching[grid.elements() - 1]);
-        cycles.push(Cycle { grid: grid.clone(), touching, forces });
+        let last = grid.elements() - 1;
+        let reaches_end = |touching: &Vec<bool>| touching[last] || grid.patch() == Patch::Strip && touching[0];
+        let reaches_end = solved.touching.iter().any(reaches_end);
+        cycles.push(Cycle { grid: grid.clone(), rotations: energy.rotations(&solved), solved });
         if cycles.len() > 2 {
             cycles.remove(0);
         }
@@ -192,9 +251,9 @@ fn separate_where_unloaded(touching: &mut [bool], forces: &[f64]) {
 fn separate_where_grazing(touching: &mut [bool], forces: &[f64], grid: &Grid) {
     let edges = grid.edges();
     let is_light = |run: &Range<usize>| forces[run.clone()].iter().sum::<f64>() < LEAST_SHORT;
-    let is_short = |run: &Range<usize>| edges[run.end] - edges[run.start] < SHORTEST * edges[run.start];
+    let is_short = |run: &Range<usize>| edges[run.end] - edges[run.start] < SHORTEST * grid.distance(edges[run.start]);
     let runs = runs(touching);
-    for group in runs.chunk_by(|a, b| edges[b.start] - edges[a.end] < NEXT * edges[b.start]) {
+    for group in runs.chunk_by(|a, b| edges[b.start] - edges[a.end] < NEXT * grid.distance(edges[b.start])) {
         if group.iter().all(is_light) {
             continue;
         }
@@ -213,15 +272,19 @@ fn ends(touching: &[bool], grid: &Grid, fine: f64) -> Vec<(usize, f64)> {
         grid.edges()[edge + outwards] - grid.edges()[edge - inwards]
     };
     let room = |edge: usize| {
-        let x = grid.edges()[edge];
-        if touching[0] { x } else { strip(edge).clamp(SHORTEST * x, x) }
+        let (x, is_even) = (grid.distance(grid.edges()[edge]), grid.patch() != Patch::Strip);
+        match strip(edge) {
+            _ if is_even && touching[0] => x,
+            strip if is_even => strip.clamp(SHORTEST * x, x),
+            strip => 0.5 * strip,
+        }
     };
     transitions.map(|edge| (edge, fine * room(edge))).collect()
 }
 
 /// The edges of the element of each interval with the least pressure, if that is less than half of the pressure on either side.
 fn dips(touching: &[bool], forces: &[f64], grid: &Grid) -> Vec<usize> {
-    let pressure = |e: usize| forces[e] / grid.resultant(e);
+    let pressure = |e: usize| forces[e] / grid.carried(e)[0];
     let mut dips = Vec::new();
     for part in runs(touching) {
         let largest = |elements: Range<usize>| elements.map(pressure).fold(0.0, f64::max);
@@ -233,13 +296,14 @@ fn dips(touching: &[bool], forces: &[f64], grid: &Grid) -> Vec<usize> {
 }
 
 /// The same without intervals and gaps of a few elements.
-fn resolved_only(touching: &[bool]) -> Vec<bool> {
+fn resolved_only(touching: &[bool], patch: Patch) -> Vec<bool> {
     let mut resolved = touching.to_vec();
     for wanted in [true, false] {
         let mut start = 0;
         while start < resolved.len() {
             let length = resolved[start..].iter().take_while(|touches| **touches == resolved[start]).count();
-            let inside = start + length < resolved.len() && !(wanted && start == 0);
+            // one about the middle of what is even is longer than it seems
+            let inside = start + length < resolved.len() && !(wanted && start == 0 && patch != Patch::Strip);
             if resolved[start] == wanted && length <= UNRESOLVED && inside {
                 resolved[start..start + length].fill(!wanted);
                 start = 0;
@@ -256,7 +320,7 @@ fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut wide: Vec<[f64; 2]> = Vec::new();
     for part in intervals(touching, grid) {
         match wide.last_mut() {
-            Some(before) if part[0] - before[1] < SHORTEST * part[0] => before[1] = part[1],
+            Some(before) if part[0] - before[1] < SHORTEST * grid.distance(part[0]) => before[1] = part[1],
             _ => wide.push(part),
         }
     }
@@ -276,6 +340,7 @@ fn runs(touching: &[bool]) -> Vec<Range<usize>> {
 /// All intervals of elements that touch; one at the end of the grid does not end.
 fn intervals(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let edges = grid.edges();
+    let from = |start: usize| if start == 0 && grid.patch() == Patch::Strip { f64::NEG_INFINITY } else { edges[start] };
     let to = |end: usize| if end == touching.len() { f64::INFINITY } else { edges[end] };
-    runs(touching).into_iter().map(|run| [edges[run.start], to(run.end)]).collect()
+    runs(touching).into_iter().map(|run| [from(run.start), to(run.end)]).collect()
 }

@@ -1,15 +1,17 @@
 //! The programme against the solver: nothing in common but the kernels.
+use crate::contact::intervals::Expected;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::SAFETY;
 use crate::contact::starts::formulas;
 use crate::kernel::Kernel;
-use crate::selftest::{Ranges, about_axis, scene};
+use crate::selftest::{Ranges, about_axis, scene, scene_with_punches};
 use crate::{Geometry, Load, Loads, Model, Options, Punch, Scene, Solution, Top};
 
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Equilibrium, State};
 use crate::contact::programme::grid::Grid;
+use crate::contact::programme::patch::Patch;
 use crate::contact::programme::{COARSE, active, answer};
 
 /// In the plane, or the like about an axis.
@@ -19,7 +21,12 @@ fn drawn(geometry: Geometry, seed: u64, number: u64) -> Scene {
 }
 
 /// Calls back with so many random scenes, the kernels of each, what is expected of it, and the solver's answer.
-fn each_solved(geometry: Geometry, seed: u64, count: usize, mut look: impl FnMut(u64, &Problem, &[f64], &Solution)) {
+fn each_solved(
+    geometry: Geometry,
+    seed: u64,
+    count: usize,
+    mut look: impl FnMut(u64, &Problem, &[Expected], &Solution),
+) {
     let options = Options { tolerance: 1e-6 };
     let solved = (0..).filter_map(|number| {
         let scene = drawn(geometry, seed, number);
@@ -31,7 +38,7 @@ fn each_solved(geometry: Geometry, seed: u64, count: usize, mut look: impl FnMut
         let kernel = Kernel::new(&stack).unwrap();
         let interfaces = stack.contacts();
         let problem = Problem::new(&kernel, &interfaces, &scene.top, scene.force.number(), options.tolerance);
-        let expected = formulas::half_lengths(&problem);
+        let expected = formulas::anywhere(&problem);
         look(number, &problem, &expected, &solution);
     }
 }
@@ -92,7 +99,7 @@ fn corners_tips_and_given_loads_are_known_as_well() {
             }
             let interfaces = stack.contacts();
             let problem = Problem::new(&kernel, &interfaces, punch, scene.force.number(), options.tolerance);
-            let expected = formulas::half_lengths(&problem);
+            let expected = formulas::anywhere(&problem);
             let Some(coarse) = answer(&problem, &expected, 0.0) else {
                 // nothing is unknown
                 assert!(kernel.contacts() == 1 && punch.loads().is_some(), "{number}, {punch:?}");
@@ -126,8 +133,9 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         let scene = drawn(geometry, 8, number);
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
         let problem = Problem::new(&kernel, &[], &scene.top, scene.force.number(), 1e-10);
-        let grid = Grid::new(0.5, 20.0, None, problem.twin()).unwrap();
-        let energy = Energy::new(&Compliances::new(&problem), &grid).unwrap();
+        let patch = if geometry.is_axisymmetric() { Patch::Ring } else { Patch::Pair };
+        let grid = Grid::new(vec![[0.0, 0.5]], [0.0, 20.0], &[], patch).unwrap();
+        let energy = Energy::new(&Compliances::new(&problem, &[]), &grid).unwrap();
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {
@@ -147,6 +155,39 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
                     assert!(nothing.abs() < 1e-8, "{number}, {i}, {e}: {nothing}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn where_nothing_is_even_it_is_as_good_as_it_says() {
+    let options = Options { tolerance: 1e-6 };
+    // one to four punches that turn or do not, over one to three contacts
+    for number in [1, 3, 4, 5, 10, 14, 16, 22] {
+        let scene = scene_with_punches(&Ranges::moderate(), 3, number).unwrap();
+        let stack = scene.stack().unwrap();
+        let fine = Model::new(stack.clone()).unwrap().press_with(&scene.top, scene.force, &options).unwrap();
+        let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
+        let problem = Problem::new(&kernel, &interfaces, &scene.top, scene.force.number(), options.tolerance);
+        let coarse = answer(&problem, &formulas::anywhere(&problem), 0.0).unwrap();
+        let coarse = coarse.into_solution(&problem, problem.total_force(), None);
+        for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
+            assert_eq!(coarse.intervals().len(), fine.intervals().len(), "{number}");
+            for (coarse, fine) in coarse.intervals().iter().zip(fine.intervals()) {
+                let [left, right] = [coarse.left - fine.left, coarse.right - fine.right].map(f64::abs);
+                assert!(left <= coarse.left_error + fine.left_error, "{number}: {coarse:?} {fine:?}");
+                assert!(right <= coarse.right_error + fine.right_error, "{number}: {coarse:?} {fine:?}");
+                assert!((coarse.force / fine.force - 1.0).abs() < 0.01, "{number}: {coarse:?} {fine:?}");
+            }
+        }
+        for (coarse, fine) in coarse.punches().iter().zip(fine.punches()) {
+            assert!((coarse.force / fine.force - 1.0).abs() < 1e-9, "{number}: {coarse:?} {fine:?}");
+            assert!((coarse.tilt - fine.tilt).abs() <= 0.01 * fine.tilt.abs(), "{number}: {coarse:?} {fine:?}");
+        }
+        let largest = fine.rotations().iter().chain(fine.punches().iter().map(|own| &own.tilt));
+        let largest = largest.fold(0.0, |largest: f64, own| largest.max(own.abs()));
+        for (coarse, fine) in coarse.rotations().iter().zip(fine.rotations()) {
+            assert!((coarse - fine).abs() < 0.01 * largest, "{number}: {coarse} {fine}");
         }
     }
 }

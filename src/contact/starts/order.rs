@@ -1,10 +1,10 @@
 //! In which order lists of intervals to begin with are tried until one leads to an answer.
 //!
 //! 1. Where formulas of contact mechanics expect contacts ([`formulas`]), with few terms.
-//! 2. Where all is even: where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start. Where the force is to be found it is not known
+//! 2. Where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start. Where the force is to be found it is not known
 //!    to the programme: where contacts are under the force that is expected.
 //! 3. Both again, with more terms.
-//! 4. Where all is even: the pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
+//! 4. The pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
 use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::{self, Intervals, Refused};
@@ -52,21 +52,20 @@ fn under_expected_force(problem: &Problem) -> Option<Intervals> {
 /// # Errors
 /// [`NoSolution`], with the reason if one is known.
 pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> {
-    let expected = formulas::half_lengths(problem);
     // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be under a given force
     if problem.prescribed.is_none()
-        && problem.too_small(&expected).is_some()
+        && problem.too_small(&formulas::half_lengths(problem)).is_some()
         && let Some(error) = problem.too_small(&formulas::shortest(problem))
     {
         return Err(error);
     }
-    let of_formulas = intervals::of_formulas(problem, &formulas::anywhere(problem));
+    let expected = formulas::anywhere(problem);
+    let of_formulas = intervals::of_formulas(problem, &expected);
     let ask = |far: f64| {
         if problem.prescribed.is_some() {
             return under_expected_force(problem).into_iter().collect();
         }
-        let active = if problem.is_even() { programme::active(problem, &expected, far) } else { None };
-        intervals::of_programme(problem, &active.unwrap_or_default())
+        intervals::of_programme(problem, &programme::active(problem, &expected, far).unwrap_or_default())
     };
     let mut work = Work::at_most(problem.operations);
     let (mut refused, mut seen) = (Refused::default(), None);
@@ -77,13 +76,7 @@ pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> 
         };
         lists.iter().find_map(|list| intervals::solve(problem, list.clone(), finer, &mut refused, &mut work))
     });
-    let low = || {
-        if problem.is_even() && problem.prescribed.is_none() {
-            programme::answer(problem, &expected, refused.far)
-        } else {
-            None
-        }
-    };
+    let low = || problem.prescribed.map_or_else(|| programme::answer(problem, &expected, refused.far), |_| None);
     let Some(answer) = solved.or_else(low) else {
         return Err(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
     };
