@@ -32,7 +32,7 @@ use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, 
 use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::twin::Twin;
-use crate::contact::problem::{Prescribed, Problem};
+use crate::contact::problem::{Expected, Prescribed, Problem};
 use crate::contact::programme::ActiveIntervals;
 use crate::numeric::largest;
 use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
@@ -55,13 +55,6 @@ const MOST_GROWTH: f64 = 2.25;
 const MANY: usize = 64;
 /// A layout serves lists whose ends differ by this much, relative.
 const LAYOUT_SERVES: f64 = 0.1;
-
-/// An interval to begin with, in units of L.
-pub(crate) struct Expected {
-    pub(crate) contact: usize,
-    pub(crate) punch: usize,
-    pub(crate) ends: [f64; 2],
-}
 
 /// The list where contacts are expected; none where one is expected nowhere.
 pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {

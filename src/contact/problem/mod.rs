@@ -60,6 +60,13 @@ impl Prescribed {
     }
 }
 
+/// An interval to begin with, in units of L.
+pub(crate) struct Expected {
+    pub(crate) contact: usize,
+    pub(crate) punch: usize,
+    pub(crate) ends: [f64; 2],
+}
+
 /// Force, moment and rotation of a group of intervals: under one punch, or all intervals of a contact between layers.
 pub(crate) struct Group {
     /// Their part of P'.

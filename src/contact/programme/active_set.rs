@@ -4,7 +4,8 @@
 //! in circles, elements are let touch one by one, and freed again as soon as they would be in tension, so that the energy falls
 //! with every step and the programme ends for certain (Lawson and Hanson 1974).
 use crate::contact::problem::iteration::Progress;
-use crate::contact::programme::energy::{Carried, Constraint, Energy};
+use crate::contact::programme::constraints::{Carried, Constraint};
+use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 use crate::numeric::longest;
 
@@ -151,6 +152,41 @@ impl<'a> Programme<'a> {
             }
         }
         None
+    }
+
+    /// By how much the slope of the gap of each contact grows since bodies turn, under every punch and then under each of some punches more; none where all is even.
+    pub(super) fn rotations(&self, solved: &Solved) -> Vec<(f64, Vec<(usize, f64)>)> {
+        let Some(turning) = &self.energy.turning else { return Vec::new() };
+        let moment = solved.moved[self.energy.constraints.len()];
+        let pressure = |i: usize, e: usize| solved.forces[i][e] / self.energy.resultants[e];
+        // what pressures are compared with turns, too
+        let compared = |i: usize| {
+            let mut sum = turning.square[i] * moment + turning.given[i];
+            for e in 0..self.energy.elements() {
+                let own = pressure(i, e);
+                sum += (turning.linear[i][e] + turning.beside[i][e]) * own;
+                if i > 0 {
+                    sum += turning.coupling[i - 1][e] * (own - pressure(i - 1, e));
+                }
+                if i + 1 < self.energy.contacts() {
+                    sum += turning.coupling[i][e] * (own - pressure(i + 1, e));
+                }
+            }
+            sum
+        };
+        let of = |i: usize| {
+            let own = self.energy.constraints.iter().zip(&solved.moved).filter(|(own, _)| own.contact == i);
+            let (mut all, mut each) = (-compared(i), Vec::new());
+            for (constraint, moved) in own {
+                match constraint.kind {
+                    Carried::Resultant(_) => {}
+                    Carried::Moment(punch, _) => each.push((punch, -moved)),
+                    Carried::WholeMoment => all -= moved,
+                }
+            }
+            (all, each)
+        };
+        (0..self.energy.contacts()).map(of).collect()
     }
 
     fn solved(&self, touching: Elements<bool>, mut forces: Elements<f64>, moved: Vec<f64>) -> Solved {

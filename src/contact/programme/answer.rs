@@ -3,7 +3,7 @@
 //! Its pressures are constant on the elements of the grid, so it has no ends to be found and none that could be missed. What it
 //! is worth is told by the elements next to the ends of its contacts, and by the grid before.
 use crate::contact::answer::Answer;
-use crate::contact::intervals::Expected;
+use crate::contact::problem::Expected;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, SAFETY};
 use crate::contact::problem::{Problem, load};
 use crate::numeric::largest;

@@ -3,7 +3,7 @@ use std::ops::Range;
 
 use crate::contact::problem::load::Given;
 use crate::contact::problem::{Problem, Side};
-use crate::contact::programme::energy::{Carried, Constraint};
+use crate::contact::programme::constraints::{Carried, Constraint};
 use crate::contact::programme::grid::Grid;
 
 /// The kernels of some contacts, one below the other. What presses on their laminates from the next contact, above or

@@ -6,30 +6,14 @@
 //! over the shortest contact: what is left bends laminates no more than it has to, and no digits are lost to what all pressures have
 //! in common. What a kernel has in common with a half-plane, its least value, is integrated in closed form. The rest is a sum over wavenumbers, none of which has a negative energy: the sum is positive even
 //! where they are too few for the elements far out.
-use std::ops::Range;
+use faer::Mat;
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
-
-use crate::contact::programme::active_set::Solved;
 use crate::contact::programme::compliances::Compliances;
+use crate::contact::programme::constraints::{Constraint, Turning};
 use crate::contact::programme::grid::Grid;
 use crate::contact::programme::patch::Patch;
+use crate::contact::programme::waves::{Octave, Waves, add_products};
 use crate::numeric::quadrature::rule;
-
-/// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for some more. Twice as many
-/// change nothing.
-const PER_FINENESS: f64 = 3.0;
-const LEAST_FINENESS: f64 = 8.0;
-/// Elements in that distance count up to this number.
-const MOST_FINENESS: f64 = 80.0;
-/// Wavenumbers begin here, times the length of the grid.
-const LONGEST_WAVE: f64 = 0.05;
-/// And end here, divided by the length of the shortest element.
-const SHORTEST_WAVE: f64 = 12.0;
-
-/// Phases up to this many times the number of nodes are told from each other.
-const TOLD: f64 = 2.0;
 
 /// Entries of the matrices of all contacts at most: there are two such sets, and the elimination makes as many again, so
 /// that they stay below 500 MB together. 32 contacts may have 700 elements each; grids that are refined have some 500.
@@ -51,45 +35,6 @@ pub(super) struct Energy {
     pub(super) constraints: Vec<Constraint>,
     /// None where all is even.
     pub(super) turning: Option<Turning>,
-}
-
-/// A resultant or moment of the pressure of a contact.
-pub(super) struct Constraint {
-    pub(super) contact: usize,
-    /// By which unit pressures on the elements are weighed.
-    pub(super) weights: Vec<f64>,
-    pub(super) kind: Carried,
-}
-
-/// What a pressure carries.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Carried {
-    Resultant(f64),
-    /// A moment about x = 0, by which the punch of this number turns.
-    Moment(usize, f64),
-    /// The moment of all that presses on the stack.
-    WholeMoment,
-}
-
-impl Constraint {
-    /// By what a unit pressure on an element of a contact counts.
-    pub(super) fn weight(&self, contact: usize, e: usize) -> f64 {
-        if contact == self.contact { self.weights[e] } else { 0.0 }
-    }
-}
-
-/// What the moment of all that presses on the stack does, which pressures are compared with one of where nothing is even: a unit moment.
-pub(super) struct Turning {
-    /// The moment; `None` if it is to be found.
-    pub(super) moment: Option<f64>,
-    /// To the gap of each contact, but for a rotation.
-    pub(super) linear: Vec<Vec<f64>>,
-    /// Twice its energy in each contact.
-    pub(super) square: Vec<f64>,
-    /// What each pressure, less that of the contact above or below a laminate or given next to it, does to its own rotation.
-    pub(super) coupling: Vec<Vec<f64>>,
-    pub(super) beside: Vec<Vec<f64>>,
-    pub(super) given: Vec<f64>,
 }
 
 impl Energy {
@@ -130,41 +75,6 @@ impl Energy {
 
     pub(super) fn elements(&self) -> usize {
         self.resultants.len()
-    }
-
-    /// By how much the slope of the gap of each contact grows since bodies turn, under every punch and then under each of some punches more; none where all is even.
-    pub(super) fn rotations(&self, solved: &Solved) -> Vec<(f64, Vec<(usize, f64)>)> {
-        let Some(turning) = &self.turning else { return Vec::new() };
-        let moment = solved.moved[self.constraints.len()];
-        let pressure = |i: usize, e: usize| solved.forces[i][e] / self.resultants[e];
-        // what pressures are compared with turns, too
-        let compared = |i: usize| {
-            let mut sum = turning.square[i] * moment + turning.given[i];
-            for e in 0..self.elements() {
-                let own = pressure(i, e);
-                sum += (turning.linear[i][e] + turning.beside[i][e]) * own;
-                if i > 0 {
-                    sum += turning.coupling[i - 1][e] * (own - pressure(i - 1, e));
-                }
-                if i + 1 < self.contacts() {
-                    sum += turning.coupling[i][e] * (own - pressure(i + 1, e));
-                }
-            }
-            sum
-        };
-        let of = |i: usize| {
-            let own = self.constraints.iter().zip(&solved.moved).filter(|(own, _)| own.contact == i);
-            let (mut all, mut each) = (-compared(i), Vec::new());
-            for (constraint, moved) in own {
-                match constraint.kind {
-                    Carried::Resultant(_) => {}
-                    Carried::Moment(punch, _) => each.push((punch, -moved)),
-                    Carried::WholeMoment => all -= moved,
-                }
-            }
-            (all, each)
-        };
-        (0..self.contacts()).map(of).collect()
     }
 
     fn add_half_planes(&mut self, least: &[f64], grid: &Grid) {
@@ -311,151 +221,5 @@ impl Energy {
                 self.linear[i][e] += heights.sum::<f64>();
             }
         }
-    }
-}
-
-/// Octaves of wavenumbers.
-struct Waves {
-    first: f64,
-    last: f64,
-    /// Nodes in each at least, and at most.
-    least: f64,
-    most: usize,
-    /// How far apart elements are, or an element and the mirror image of another.
-    span: f64,
-}
-
-impl Waves {
-    fn new(grid: &Grid) -> Self {
-        let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
-        let reach = |pair: &[f64]| grid.distance(pair[1]).max(grid.distance(pair[0]));
-        let fineness = grid.edges().windows(2).map(|pair| reach(pair) / (pair[1] - pair[0])).fold(0.0, f64::max);
-        let (is_even, fineness) = (grid.patch() != Patch::Strip, LEAST_FINENESS + fineness.min(MOST_FINENESS));
-        let longest = grid.edges()[0].abs().max(grid.edges()[widths.len()]);
-        Self {
-            first: LONGEST_WAVE / longest,
-            last: SHORTEST_WAVE / shortest,
-            least: PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS },
-            most: (PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS + MOST_FINENESS }) as usize,
-            span: grid.edges()[widths.len()] + longest,
-        }
-    }
-
-    /// Elements from left to right that waves up to a wavenumber tell from each other; all where all is even.
-    fn windows(&self, grid: &Grid, wavenumber: f64) -> Vec<Range<usize>> {
-        let length = if grid.patch() == Patch::Strip { TOLD * self.most as f64 / wavenumber } else { f64::INFINITY };
-        let mut windows: Vec<Range<usize>> = Vec::new();
-        for e in 0..grid.elements() {
-            match windows.last_mut() {
-                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= length => last.end = e + 1,
-                _ => windows.push(e..e + 1),
-            }
-        }
-        windows
-    }
-
-    /// As many nodes up to a wavenumber as phases take.
-    fn nodes(&self, wavenumber: f64) -> usize {
-        self.most.min((self.least + wavenumber * self.span) as usize)
-    }
-
-    fn octaves(&self) -> impl Iterator<Item = (f64, f64)> {
-        let edges = std::iter::successors(Some(self.first), |edge| Some(2.0 * edge));
-        let last = self.last;
-        std::iter::once((0.0, self.first))
-            .chain(edges.take_while(move |edge| *edge < last).map(|from| (from, 2.0 * from)))
-    }
-
-    /// The least value of the kernel of each contact; less of it where the energy of some wave would not be positive
-    /// without it, since some other kernel is negative.
-    fn least(&self, kernel: &Compliances) -> Vec<f64> {
-        let n = kernel.contacts();
-        let waves: Vec<(Vec<f64>, Vec<f64>)> = self
-            .octaves()
-            .map(|(_, zeta)| {
-                let coupling = (1..n).map(|i| kernel.coupling(i - 1, zeta)).collect();
-                ((0..n).map(|i| kernel.own(i, zeta) + kernel.coupled(i, zeta)).collect(), coupling)
-            })
-            .collect();
-        let mut least = vec![0.0; n];
-        for i in 0..n {
-            let values = waves.iter().map(|(units, _)| units[i]);
-            let most = values.fold(kernel.limit(i), f64::min).max(0.0);
-            for part in [1.0, 0.5, 0.25, 0.0] {
-                least[i] = part * most;
-                if waves.iter().all(|(units, coupling)| is_positive(units, coupling, &least)) {
-                    break;
-                }
-            }
-        }
-        least
-    }
-}
-
-/// Whether the energy of a wave is positive without the least kernels, for any pressures on the contacts.
-fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
-    // what is left of contact i with all above it as they like best
-    let mut above = 0.0;
-    (0..units.len()).all(|i| {
-        let own = units[i] - least[i] + above;
-        let Some(coupled) = coupling.get(i) else { return own >= 0.0 };
-        above = if own + coupled > 0.0 { own * coupled / (own + coupled) } else { 0.0 };
-        own + coupled >= 0.0
-    })
-}
-
-/// Some waves.
-struct Octave {
-    zeta: Vec<f64>,
-    /// By which products of transforms are weighed besides kernels.
-    widths: Vec<f64>,
-    /// Elements so near each other that the sum over these waves tells what they do to each other; elements farther apart do next to nothing to each other by waves so short.
-    windows: Vec<Range<usize>>,
-}
-
-impl Octave {
-    /// Whether all elements feel each other: so long are the waves that pressures are compared with one of the same resultant and moment.
-    fn is_one(&self) -> bool {
-        self.windows.len() == 1
-    }
-
-    /// Transforms of all elements, one column for each: what the transform of a patch grows by, and what is added at a wave.
-    fn transforms(&self, grid: &Grid, of: impl Fn(f64) -> Vec<f64>, add: impl Fn(usize, usize) -> f64) -> Mat<f64> {
-        let mut transforms = Mat::<f64>::zeros(self.zeta.len(), grid.elements());
-        let mut edge = of(grid.edges()[0]);
-        for e in 0..grid.elements() {
-            let next = of(grid.edges()[e + 1]);
-            let column = transforms.col_as_slice_mut(e);
-            for (k, (next, edge)) in next.iter().zip(&edge).enumerate() {
-                column[k] = next - edge + add(e, k);
-            }
-            edge = next;
-        }
-        transforms
-    }
-
-    /// Adds transformsᵀ diag(weights) transforms, window by window.
-    fn add_gram(&self, transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
-        if weights.iter().all(|weight| *weight == 0.0) {
-            return;
-        }
-        let mut weighted = transforms.clone();
-        for e in 0..weighted.ncols() {
-            weighted.col_as_slice_mut(e).iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
-        }
-        for window in &self.windows {
-            let (first, count) = (window.start, window.len());
-            let [own, weighted] = [transforms, &weighted].map(|all| all.subcols(first, count));
-            let sum = sum.as_mut().submatrix_mut(first, first, count, count);
-            matmul(sum, Accum::Add, own.transpose(), weighted, 1.0, Par::Seq);
-        }
-    }
-}
-
-/// Adds transformsᵀ forces.
-fn add_products(transforms: &Mat<f64>, forces: &[f64], sum: &mut [f64]) {
-    for (e, sum) in sum.iter_mut().enumerate() {
-        *sum += transforms.col_as_slice(e).iter().zip(forces).map(|(d, force)| d * force).sum::<f64>();
     }
 }

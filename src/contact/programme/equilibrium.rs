@@ -10,7 +10,8 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatRef, Par, Side};
 
-use crate::contact::programme::energy::{Carried, Energy};
+use crate::contact::programme::constraints::Carried;
+use crate::contact::programme::energy::Energy;
 
 /// A value for each element of each contact.
 pub(super) type Elements<T> = Vec<Vec<T>>;

@@ -1,5 +1,5 @@
 //! Elements on which pressures are constant.
-use crate::contact::intervals::Expected;
+use crate::contact::problem::Expected;
 use crate::contact::programme::UNRESOLVED;
 use crate::contact::programme::patch::Patch;
 

@@ -7,16 +7,18 @@
 mod active_set;
 mod answer;
 mod compliances;
+mod constraints;
 mod energy;
 mod equilibrium;
 mod grid;
 mod patch;
 #[cfg(test)]
 mod tests;
+mod waves;
 
 use std::ops::Range;
 
-use crate::contact::intervals::Expected;
+use crate::contact::problem::Expected;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, accuracy};
 use active_set::{Programme, Solved};
@@ -224,7 +226,7 @@ fn cycles(problem: &Problem, expected: &[Expected], far: f64, resolution: Resolu
         let last = grid.elements() - 1;
         let reaches_end = |touching: &Vec<bool>| touching[last] || grid.patch() == Patch::Strip && touching[0];
         let reaches_end = solved.touching.iter().any(reaches_end);
-        cycles.push(Cycle { grid: grid.clone(), rotations: energy.rotations(&solved), solved });
+        cycles.push(Cycle { grid: grid.clone(), rotations: Programme::new(&energy).rotations(&solved), solved });
         if cycles.len() > 2 {
             cycles.remove(0);
         }

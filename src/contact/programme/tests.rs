@@ -1,5 +1,5 @@
 //! The programme against the solver: nothing in common but the kernels.
-use crate::contact::intervals::Expected;
+use crate::contact::problem::Expected;
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::SAFETY;
 use crate::contact::starts::formulas;

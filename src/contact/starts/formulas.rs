@@ -1,5 +1,5 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
-use crate::contact::intervals::Expected;
+use crate::contact::problem::Expected;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::placed::Placed;

@@ -1,0 +1,174 @@
+//! Sums over wavenumbers: which waves, and which elements they tell from each other.
+use std::ops::Range;
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+
+use crate::contact::programme::compliances::Compliances;
+use crate::contact::programme::grid::Grid;
+use crate::contact::programme::patch::Patch;
+
+/// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for some more. Twice as many
+/// change nothing.
+const PER_FINENESS: f64 = 3.0;
+const LEAST_FINENESS: f64 = 8.0;
+/// Elements in that distance count up to this number.
+const MOST_FINENESS: f64 = 80.0;
+/// Wavenumbers begin here, times the length of the grid.
+const LONGEST_WAVE: f64 = 0.05;
+/// And end here, divided by the length of the shortest element.
+const SHORTEST_WAVE: f64 = 12.0;
+
+/// Phases up to this many times the number of nodes are told from each other.
+const TOLD: f64 = 2.0;
+
+/// Octaves of wavenumbers.
+pub(super) struct Waves {
+    first: f64,
+    last: f64,
+    /// Nodes in each at least, and at most.
+    least: f64,
+    most: usize,
+    /// How far apart elements are, or an element and the mirror image of another.
+    span: f64,
+}
+
+impl Waves {
+    pub(super) fn new(grid: &Grid) -> Self {
+        let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
+        let reach = |pair: &[f64]| grid.distance(pair[1]).max(grid.distance(pair[0]));
+        let fineness = grid.edges().windows(2).map(|pair| reach(pair) / (pair[1] - pair[0])).fold(0.0, f64::max);
+        let (is_even, fineness) = (grid.patch() != Patch::Strip, LEAST_FINENESS + fineness.min(MOST_FINENESS));
+        let longest = grid.edges()[0].abs().max(grid.edges()[widths.len()]);
+        Self {
+            first: LONGEST_WAVE / longest,
+            last: SHORTEST_WAVE / shortest,
+            least: PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS },
+            most: (PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS + MOST_FINENESS }) as usize,
+            span: grid.edges()[widths.len()] + longest,
+        }
+    }
+
+    /// Elements from left to right that waves up to a wavenumber tell from each other; all where all is even.
+    pub(super) fn windows(&self, grid: &Grid, wavenumber: f64) -> Vec<Range<usize>> {
+        let length = if grid.patch() == Patch::Strip { TOLD * self.most as f64 / wavenumber } else { f64::INFINITY };
+        let mut windows: Vec<Range<usize>> = Vec::new();
+        for e in 0..grid.elements() {
+            match windows.last_mut() {
+                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= length => last.end = e + 1,
+                _ => windows.push(e..e + 1),
+            }
+        }
+        windows
+    }
+
+    /// As many nodes up to a wavenumber as phases take.
+    pub(super) fn nodes(&self, wavenumber: f64) -> usize {
+        self.most.min((self.least + wavenumber * self.span) as usize)
+    }
+
+    pub(super) fn octaves(&self) -> impl Iterator<Item = (f64, f64)> {
+        let edges = std::iter::successors(Some(self.first), |edge| Some(2.0 * edge));
+        let last = self.last;
+        std::iter::once((0.0, self.first))
+            .chain(edges.take_while(move |edge| *edge < last).map(|from| (from, 2.0 * from)))
+    }
+
+    /// The least value of the kernel of each contact; less of it where the energy of some wave would not be positive
+    /// without it, since some other kernel is negative.
+    pub(super) fn least(&self, kernel: &Compliances) -> Vec<f64> {
+        let n = kernel.contacts();
+        let waves: Vec<(Vec<f64>, Vec<f64>)> = self
+            .octaves()
+            .map(|(_, zeta)| {
+                let coupling = (1..n).map(|i| kernel.coupling(i - 1, zeta)).collect();
+                ((0..n).map(|i| kernel.own(i, zeta) + kernel.coupled(i, zeta)).collect(), coupling)
+            })
+            .collect();
+        let mut least = vec![0.0; n];
+        for i in 0..n {
+            let values = waves.iter().map(|(units, _)| units[i]);
+            let most = values.fold(kernel.limit(i), f64::min).max(0.0);
+            for part in [1.0, 0.5, 0.25, 0.0] {
+                least[i] = part * most;
+                if waves.iter().all(|(units, coupling)| is_positive(units, coupling, &least)) {
+                    break;
+                }
+            }
+        }
+        least
+    }
+}
+
+/// Whether the energy of a wave is positive without the least kernels, for any pressures on the contacts.
+fn is_positive(units: &[f64], coupling: &[f64], least: &[f64]) -> bool {
+    // what is left of contact i with all above it as they like best
+    let mut above = 0.0;
+    (0..units.len()).all(|i| {
+        let own = units[i] - least[i] + above;
+        let Some(coupled) = coupling.get(i) else { return own >= 0.0 };
+        above = if own + coupled > 0.0 { own * coupled / (own + coupled) } else { 0.0 };
+        own + coupled >= 0.0
+    })
+}
+
+/// Some waves.
+pub(super) struct Octave {
+    pub(super) zeta: Vec<f64>,
+    /// By which products of transforms are weighed besides kernels.
+    pub(super) widths: Vec<f64>,
+    /// Elements so near each other that the sum over these waves tells what they do to each other; elements farther apart do next to nothing to each other by waves so short.
+    pub(super) windows: Vec<Range<usize>>,
+}
+
+impl Octave {
+    /// Whether all elements feel each other: so long are the waves that pressures are compared with one of the same resultant and moment.
+    pub(super) fn is_one(&self) -> bool {
+        self.windows.len() == 1
+    }
+
+    /// Transforms of all elements, one column for each: what the transform of a patch grows by, and what is added at a wave.
+    pub(super) fn transforms(
+        &self,
+        grid: &Grid,
+        of: impl Fn(f64) -> Vec<f64>,
+        add: impl Fn(usize, usize) -> f64,
+    ) -> Mat<f64> {
+        let mut transforms = Mat::<f64>::zeros(self.zeta.len(), grid.elements());
+        let mut edge = of(grid.edges()[0]);
+        for e in 0..grid.elements() {
+            let next = of(grid.edges()[e + 1]);
+            let column = transforms.col_as_slice_mut(e);
+            for (k, (next, edge)) in next.iter().zip(&edge).enumerate() {
+                column[k] = next - edge + add(e, k);
+            }
+            edge = next;
+        }
+        transforms
+    }
+
+    /// Adds transformsᵀ diag(weights) transforms, window by window.
+    pub(super) fn add_gram(&self, transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
+        if weights.iter().all(|weight| *weight == 0.0) {
+            return;
+        }
+        let mut weighted = transforms.clone();
+        for e in 0..weighted.ncols() {
+            weighted.col_as_slice_mut(e).iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
+        }
+        for window in &self.windows {
+            let (first, count) = (window.start, window.len());
+            let [own, weighted] = [transforms, &weighted].map(|all| all.subcols(first, count));
+            let sum = sum.as_mut().submatrix_mut(first, first, count, count);
+            matmul(sum, Accum::Add, own.transpose(), weighted, 1.0, Par::Seq);
+        }
+    }
+}
+
+/// Adds transformsᵀ forces.
+pub(super) fn add_products(transforms: &Mat<f64>, forces: &[f64], sum: &mut [f64]) {
+    for (e, sum) in sum.iter_mut().enumerate() {
+        *sum += transforms.col_as_slice(e).iter().zip(forces).map(|(d, force)| d * force).sum::<f64>();
+    }
+}
