@@ -133,33 +133,40 @@ pub(crate) fn of_each(
     let contacts = solution.contacts().first().map(Contact::of_each_punch).unwrap_or_default();
     match punches(top, stack) {
         Ok(punches) if one == Err(ApproachError::Punches) => {
-            let field = Field::new(stack, solution);
-            let relative = ROUNDING + relative_error(solution, true);
-            let of = |(k, ((pressed, _), contact)): (usize, ((&Pressed, f64), &Contact))| {
-                let tilt = solution.punches().get(k).map_or(0.0, |carried| carried.tilt);
-                let [value, error] = tip(pressed, tilt, contact, &field)?;
-                let error = SAFETY * (error + relative * value.abs());
-                Ok(Approach { value, error, stiffness: Stiffness::NotComputed })
-            };
-            punches.parts().zip(&contacts).enumerate().map(of).collect()
+            let all = several(punches, &contacts, stack, solution).map(|all| all.into_iter().map(Ok).collect());
+            all.unwrap_or_else(|error| vec![Err(error.into())])
         }
         _ => vec![one],
     }
 }
 
-/// How far the tip of a punch has moved down since the punch, not turned, touched the top face with its lowest point, from two places at which it touches
-/// the face, and by how much these differ.
-fn tip(pressed: &Pressed, tilt: f64, contact: &Contact, field: &Field) -> Result<[f64; 2], FieldError> {
-    let shape = pressed.shape().shape();
-    let widest = contact.intervals().iter().max_by(|a, b| a.force.total_cmp(&b.force)).copied().unwrap_or_default();
-    let sunk = |part: f64| {
-        let x = 0.5 * ((1.0 - part) * widest.left + (1.0 + part) * widest.right);
-        let from_tip = x - pressed.at();
-        let height = pressed.shape().profile(from_tip) - shape.lowest() + tilt * from_tip;
-        Ok::<_, FieldError>(height - field.at(x, 0.0)?.v)
+/// How far the tip of each punch has moved down since the punch, not turned, touched the top face with its lowest point, from two places at which it touches
+/// the face.
+fn several(
+    punches: &Punches,
+    contacts: &[Contact],
+    stack: &Stack,
+    solution: &Solution,
+) -> Result<Vec<Approach>, FieldError> {
+    let relative = ROUNDING + relative_error(solution, true);
+    let touching = |contact: &Contact| {
+        let widest = contact.intervals().iter().max_by(|a, b| a.force.total_cmp(&b.force)).copied().unwrap_or_default();
+        [-PLACE, PLACE].map(|part| 0.5 * ((1.0 - part) * widest.left + (1.0 + part) * widest.right))
     };
-    let [left, right] = [sunk(-PLACE)?, sunk(PLACE)?];
-    Ok([0.5 * (left + right), (left - right).abs()])
+    let places: Vec<[f64; 2]> = contacts.iter().map(touching).collect();
+    // one sum for all
+    let moved = Field::new(stack, solution).grid(&places.concat(), &[0.0])?;
+    let of = |(k, ((pressed, _), places)): (usize, ((&Pressed, f64), &[f64; 2]))| {
+        let tilt = solution.punches().get(k).map_or(0.0, |carried| carried.tilt);
+        let lowest = pressed.shape().shape().lowest();
+        let [left, right] = [0, 1].map(|side| {
+            let from_tip = places[side] - pressed.at();
+            pressed.shape().profile(from_tip) - lowest + tilt * from_tip - moved.points()[2 * k + side].v
+        });
+        let (value, error) = (0.5 * (left + right), (left - right).abs());
+        Approach { value, error: SAFETY * (error + relative * value.abs()), stiffness: Stiffness::NotComputed }
+    };
+    Ok(punches.parts().zip(&places).enumerate().map(of).collect())
 }
 
 /// The approach and the stiffness.
