@@ -84,8 +84,10 @@ fn found(
     let change = if is_open || is_sharp { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     // next to nothing depends on ends that are not known better than the grid resolves them
     let lengths = parts.iter().map(|(part, _)| {
-        let size = if is_even { part.right } else { 0.5 * (part.right - part.left) };
-        let known = |(end, error): (f64, f64)| if error <= last.resolution(end) { error / size } else { 0.0 };
+        let half = 0.5 * (part.right - part.left);
+        // an interval far from where contacts are expected counts by its distance from there
+        let size = |end: f64| if is_even { end } else { last.grid.distance(end).max(half) };
+        let known = |(end, error): (f64, f64)| if error <= last.resolution(end) { error / size(end) } else { 0.0 };
         let left = if is_even { 0.0 } else { known((part.left, part.left_error)) };
         known((part.right, part.right_error)).max(left)
     });

@@ -112,9 +112,7 @@ impl Energy {
 
     fn add_waves(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, waves: &Waves) {
         for (from, to) in waves.octaves() {
-            let (zeta, widths): (Vec<f64>, Vec<f64>) = rule(waves.nodes(to)).on(from, to).unzip();
-            let widths = widths.iter().zip(&zeta).map(|(w, zeta)| w / grid.patch().over_waves(*zeta)).collect();
-            let octave = Octave { zeta, widths, windows: waves.windows(grid, to) };
+            let octave = waves.octave(grid, [from, to]);
             self.add_even(kernel, least, grid, &octave);
             if let Some(mut turning) = self.turning.take() {
                 self.add_odd(kernel, least, grid, &octave, &mut turning);

@@ -7,6 +7,7 @@ use faer::{Accum, Mat, Par};
 use crate::contact::programme::compliances::Compliances;
 use crate::contact::programme::grid::Grid;
 use crate::contact::programme::patch::Patch;
+use crate::numeric::quadrature::rule;
 
 /// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for some more. Twice as many
 /// change nothing.
@@ -50,17 +51,20 @@ impl Waves {
         }
     }
 
-    /// Elements from left to right that waves up to a wavenumber tell from each other; all where all is even.
-    pub(super) fn windows(&self, grid: &Grid, wavenumber: f64) -> Vec<Range<usize>> {
-        let length = if grid.patch() == Patch::Strip { TOLD * self.most as f64 / wavenumber } else { f64::INFINITY };
+    /// The waves from one wavenumber to another.
+    pub(super) fn octave(&self, grid: &Grid, [from, to]: [f64; 2]) -> Octave {
+        let (zeta, widths): (Vec<f64>, Vec<f64>) = rule(self.nodes(to)).on(from, to).unzip();
+        let widths = widths.iter().zip(&zeta).map(|(w, zeta)| w / grid.patch().over_waves(*zeta)).collect();
+        let reach = if grid.patch() == Patch::Strip { TOLD * self.most as f64 / to } else { f64::INFINITY };
         let mut windows: Vec<Range<usize>> = Vec::new();
         for e in 0..grid.elements() {
             match windows.last_mut() {
-                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= length => last.end = e + 1,
+                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= reach => last.end = e + 1,
                 _ => windows.push(e..e + 1),
             }
         }
-        windows
+        let middles = grid.edges().windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+        Octave { zeta, widths, windows, reach, middles }
     }
 
     /// As many nodes up to a wavenumber as phases take.
@@ -118,8 +122,12 @@ pub(super) struct Octave {
     pub(super) zeta: Vec<f64>,
     /// By which products of transforms are weighed besides kernels.
     pub(super) widths: Vec<f64>,
-    /// Elements so near each other that the sum over these waves tells what they do to each other; elements farther apart do next to nothing to each other by waves so short.
+    /// Elements from left to right, none of which are farther apart than `reach`.
     pub(super) windows: Vec<Range<usize>>,
+    /// Up to this distance the sum over these waves tells what elements do to each other; farther apart they do next to nothing to each other by waves so short.
+    pub(super) reach: f64,
+    /// Where the middles of the elements are.
+    pub(super) middles: Vec<f64>,
 }
 
 impl Octave {
@@ -148,7 +156,8 @@ impl Octave {
         transforms
     }
 
-    /// Adds transformsᵀ diag(weights) transforms, window by window.
+    /// Adds transformsᵀ diag(weights) transforms; if not all elements feel each other, times a window of their distance that is positive definite, so that
+    /// the sum remains so.
     pub(super) fn add_gram(&self, transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
         if weights.iter().all(|weight| *weight == 0.0) {
             return;
@@ -157,13 +166,32 @@ impl Octave {
         for e in 0..weighted.ncols() {
             weighted.col_as_slice_mut(e).iter_mut().zip(weights).for_each(|(value, weight)| *value *= weight);
         }
-        for window in &self.windows {
-            let (first, count) = (window.start, window.len());
-            let [own, weighted] = [transforms, &weighted].map(|all| all.subcols(first, count));
-            let sum = sum.as_mut().submatrix_mut(first, first, count, count);
-            matmul(sum, Accum::Add, own.transpose(), weighted, 1.0, Par::Seq);
+        if self.is_one() {
+            return matmul(sum.as_mut(), Accum::Add, transforms.transpose(), weighted.as_ref(), 1.0, Par::Seq);
+        }
+        for (number, own) in self.windows.iter().enumerate() {
+            let is_near = |other: &&Range<usize>| self.middles[other.start] - self.middles[own.end - 1] < self.reach;
+            for other in self.windows[number..].iter().take_while(is_near) {
+                let left = transforms.subcols(own.start, own.len());
+                let both = left.transpose() * weighted.subcols(other.start, other.len());
+                for (l, f) in other.clone().enumerate() {
+                    for (k, e) in own.clone().enumerate() {
+                        let value = parzen((self.middles[f] - self.middles[e]) / self.reach) * both[(k, l)];
+                        sum[(e, f)] += value;
+                        if own != other {
+                            sum[(f, e)] += value;
+                        }
+                    }
+                }
+            }
         }
     }
+}
+
+/// The window of Parzen, which is positive definite: 1 at 0, and 0 from ±1 on.
+fn parzen(x: f64) -> f64 {
+    let x = x.abs().min(1.0);
+    if x < 0.5 { 1.0 - 6.0 * x * x * (1.0 - x) } else { 2.0 * (1.0 - x).powi(3) }
 }
 
 /// Adds transformsᵀ forces.
