@@ -174,9 +174,10 @@ impl Cycle {
         (0..self.grid.elements()).filter(within).map(|e| self.solved.forces[i][e]).sum()
     }
 
-    /// How far an end may be off since elements have a length.
+    /// How far an end may be off since elements have a length: where nothing is even an interval may have moved by as much as it may be longer.
     fn resolution(&self, end: f64) -> f64 {
-        SAFETY * self.grid.width(end)
+        let times = if self.grid.patch() == Patch::Strip { 2.0 } else { 1.0 };
+        times * SAFETY * self.grid.width(end)
     }
 
     /// Where the first element of contact i begins that presses, between two places.
