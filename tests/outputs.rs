@@ -365,19 +365,14 @@ fn rows_and_their_picture_are_two_files() {
     }
 }
 
-/// A sweep that does not end by itself, as soon as some rows are there.
+/// The arguments of a sweep that does not end by itself, but for the file.
+const ENDLESS: [&str; 7] =
+    ["sweep", SCENE, "--vary", "punch.radius=500:501:1000", "--vary", "force=0.001:0.002:10000", "--out"];
+
+/// The sweep, as soon as some rows are there.
 fn endless(out: &Path) -> Child {
     let mut child = Command::new(env!("CARGO_BIN_EXE_recede"))
-        .args([
-            "sweep",
-            SCENE,
-            "--vary",
-            "punch.radius=500:501:1000",
-            "--vary",
-            "force=0.001:0.002:10000",
-            "--out",
-            text(out),
-        ])
+        .args([&ENDLESS[..], &[text(out)]].concat())
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
@@ -395,23 +390,7 @@ fn two_sweeps_do_not_write_one_file() {
     symlink("rows.csv", &link).unwrap();
     let mut first = endless(&rows);
     for (out, more) in [(&rows, &[][..]), (&rows, &["--resume"]), (&link, &[]), (&link, &["--resume"])] {
-        let run = recede(
-            &[
-                &[
-                    "sweep",
-                    SCENE,
-                    "--vary",
-                    "punch.radius=500:501:1000",
-                    "--vary",
-                    "force=0.001:0.002:10000",
-                    "--out",
-                    text(out),
-                ],
-                more,
-            ]
-            .concat(),
-            b"",
-        );
+        let run = recede(&[&ENDLESS[..], &[text(out)], more].concat(), b"");
         assert_eq!((run.status, &run.stdout[..]), (Some(2), ""), "{}", run.stderr);
         assert!(run.stderr.contains("is being written by another sweep"), "{}", run.stderr);
     }

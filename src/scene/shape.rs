@@ -162,7 +162,7 @@ impl Shape<'_> {
         self.falls().into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
     }
 
-    /// Places, ascending, among which are the last ones of all falls from left to right; of a power those of x > 0, and also where falls begin.
+    /// Places, ascending, among which are the last ones of all falls from left to right; of a power only places x > 0, and also where falls begin.
     fn falls(&self) -> Vec<f64> {
         match self {
             Self::Powers { length, terms, end, .. } => {

@@ -47,7 +47,7 @@ fn rotations(problem: &Problem, last: &Cycle) -> Vec<Vec<f64>> {
     (0..known).map(|_| Vec::new()).chain(problem.unknown().map(of)).collect()
 }
 
-/// What contact i of the programme, contact `contact` of the problem, is on the last two grids.
+/// The result for one contact on the last two grids: number i among the contacts whose pressures are unknown, number `contact` among all.
 fn found(
     problem: &Problem,
     contact: usize,
@@ -61,17 +61,7 @@ fn found(
     }
     let (side, is_even) = (&problem.sides[contact], problem.is_even());
     let parts = parts(problem, contact, active, last, i)?;
-    // contacts that may have grown to the edge of a punch, or together under two of them, are none
-    let outgrows = |(part, punch): &(Interval, usize)| {
-        let [left, right] = side.ends_of(*punch);
-        let is_beyond = part.left - part.left_error <= left || part.right + part.right_error >= right;
-        is_beyond && problem.corner(contact, *punch, 1.0).is_none()
-    };
-    let meet = |pair: &[(Interval, usize)]| {
-        let [(left, first), (right, second)] = [pair[0], pair[1]];
-        first != second && right.left - left.right <= left.right_error + right.left_error
-    };
-    if !is_even && (parts.iter().any(outgrows) || parts.windows(2).any(meet)) {
+    if !is_even && find_no_room(problem, contact, &parts) {
         return None;
     }
     let is_open = is_even && parts[0].0.left > 0.0;
@@ -80,7 +70,7 @@ fn found(
     let widest = parts.iter().max_by(|a, b| carried(&a.0).total_cmp(&carried(&b.0)))?;
     let about = if is_even { 0.0 } else { 0.5 * (widest.0.left + widest.0.right) };
     let is_sharp = is_even && side.is_sharp();
-    let middle = |round: &Cycle| round.pressure(i, round.grid.containing(about));
+    let middle = |cycle: &Cycle| cycle.pressure(i, cycle.grid.containing(about));
     let change = if is_open || is_sharp { 0.0 } else { SAFETY * (middle(before) - middle(last)).abs() };
     // next to nothing depends on ends that are not known better than the grid resolves them
     let lengths = parts.iter().map(|(part, _)| {
@@ -112,7 +102,21 @@ fn found(
     })
 }
 
-/// Where contact i of the programme touches, from left to right or from the middle outwards, and under which punch.
+/// Whether intervals may have grown to the edge of a punch, or together under two punches, within their errors.
+fn find_no_room(problem: &Problem, contact: usize, parts: &[(Interval, usize)]) -> bool {
+    let outgrows = |(part, punch): &(Interval, usize)| {
+        let [left, right] = problem.sides[contact].ends_of(*punch);
+        let is_beyond = part.left - part.left_error <= left || part.right + part.right_error >= right;
+        is_beyond && problem.corner(contact, *punch, 1.0).is_none()
+    };
+    let meet = |pair: &[(Interval, usize)]| {
+        let [(left, first), (right, second)] = [pair[0], pair[1]];
+        first != second && right.left - left.right <= left.right_error + right.left_error
+    };
+    parts.iter().any(outgrows) || parts.windows(2).any(meet)
+}
+
+/// The intervals of a contact with the numbers of their punches, from left to right, or from the middle outwards where all is even.
 fn parts(
     problem: &Problem,
     contact: usize,

@@ -93,7 +93,7 @@ impl<'a> Compliances<'a> {
         -self.known_neighbours(i).map(one).sum::<f64>()
     }
 
-    /// The same of odd transforms less that of a pressure with the same moment, of which `beyond` is more than ζ per unit.
+    /// The couplings times the odd transforms of the given pressures, less the transform of a pressure with the same moment, which is ζ + `beyond` per unit moment.
     pub(super) fn given_odd(&self, i: usize, zeta: f64, beyond: f64) -> f64 {
         let one = |(coupling, given): (usize, &Given)| {
             let less = given.odd_transform_less_moment(zeta) - given.moment * beyond;

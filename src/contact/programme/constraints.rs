@@ -33,7 +33,7 @@ pub(super) struct Turning {
     pub(super) linear: Vec<Vec<f64>>,
     /// Twice its energy in each contact.
     pub(super) square: Vec<f64>,
-    /// What each pressure, less that of the contact above or below a laminate or given next to it, does to its own rotation.
+    /// The rotation per unit pressure on each element: by the coupling with the contact below, by the coupling with a given pressure, and by the given pressure itself.
     pub(super) coupling: Vec<Vec<f64>>,
     pub(super) beside: Vec<Vec<f64>>,
     pub(super) given: Vec<f64>,

@@ -148,7 +148,7 @@ impl Cycle {
 }
 
 /// Where all contacts touch, from the top down; `expected` is where contacts are expected, to make a grid for, and
-/// `far` is how far from x = 0 a place is that is to be well inside it. `None` if the programme has no solution in double precision.
+/// the grid reaches well beyond the distance `far` from x = 0. `None` if the programme has no solution in double precision.
 pub(super) fn active(problem: &Problem, expected: &[Expected], far: f64) -> Option<Vec<ActiveIntervals>> {
     active_on(problem, expected, cycles(problem, expected, far, COARSE).last()?)
 }
