@@ -25,10 +25,11 @@ pub(crate) use interpolation::Curves;
 pub(crate) use tangent::tangent;
 
 use answer::Answer;
+use intervals::Refused;
 use prescribed::Drive;
 use problem::{Prescribed, Problem};
 use starts::formulas;
-use starts::order::solve_in_order;
+use starts::order::{of_low_accuracy, solve_in_order};
 
 /// What is asked of the solver: everything but the force.
 pub(crate) struct Asked<'a> {
@@ -46,15 +47,19 @@ pub(crate) fn press(asked: &Asked, force: Force) -> Result<Solution, ContactErro
     let drive = Drive::new(asked.top, &asked.kernel_with_punch(), force)?;
     let own = &*asked.kernel_under(drive.force);
     let problem = drive.of(asked.problem(own, drive.force));
-    let answer = if problem.unknown().next().is_none() {
-        Ok(Answer::known(&problem))
-    } else if problem.is_even() {
-        thin::solve(&problem, solve_in_order)
-    } else {
-        solve_in_order(&problem)
-    };
+    let answer = if problem.unknown().next().is_none() { Ok(Answer::known(&problem)) } else { solve(&problem) };
     let answer = answer.map_err(|error| drive.unmet(error))?;
     Ok(answer.into_solution(&problem, drive.force, Some(asked.stack)))
+}
+
+/// The answer of Newton's method or, where that fails, of the quadratic programme.
+fn solve(problem: &Problem) -> Result<Answer, ContactError> {
+    let mut refused = Refused::default();
+    let answer = match problem.is_even() {
+        true => thin::solve(problem, &mut refused),
+        false => solve_in_order(problem, None, &mut refused),
+    };
+    answer.or_else(|error| of_low_accuracy(problem, &refused, error))
 }
 
 /// The contact equations of a solution in words, see [`intervals::ledger`].
@@ -139,7 +144,7 @@ mod tests {
                 let given = Given::of(top.innermost().right / kernel.length(), &top.strips[0].coefficients);
                 let mut problem = Problem::new(&kernel, &interfaces, &punch, force, Options::default().tolerance);
                 problem.sides[0] = Side::Known(given);
-                let found = solve_in_order(&problem).unwrap().into_solution(&problem, force, None);
+                let found = solve(&problem).unwrap().into_solution(&problem, force, None);
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {
                     assert!(
                         (found.innermost().right / expected.innermost().right - 1.0).abs() < 1e-10,

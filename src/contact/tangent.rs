@@ -16,9 +16,6 @@ const TOLERANCE: f64 = 1e-9;
 /// Multiplications at most, about a second: a stiffness is not worth more time than a solution. Half as many: a digit less of some long contacts.
 const MOST: f64 = 2e10;
 
-/// Times the usual number of terms, one after the other.
-const FINER: [usize; 3] = [1, 2, 4];
-
 /// The pressures that a unit force adds to the pressures of a solution; `None` where a contact is not one interval about x = 0.
 pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option<Result<Solution, ContactError>> {
     let contacts = solution.contacts();
@@ -26,8 +23,7 @@ pub(crate) fn tangent(kernel: &Kernel, top: &Top, solution: &Solution) -> Option
     let interfaces: Vec<Interface> = contacts.iter().map(|contact| contact.interface).collect();
     let problem = Problem::joined(kernel, &interfaces, top, &half_lengths, TOLERANCE);
     let joined = intervals::of_formulas(&problem, &formulas::anywhere(&problem))?;
-    let (mut refused, mut work) = (Refused::default(), Work::at_most(MOST));
-    let mut solve = |finer: usize| intervals::solve(&problem, joined.clone(), finer, &mut refused, &mut work);
-    let answer = FINER.into_iter().find_map(&mut solve).ok_or_else(|| NoSolution::NotConverged.into());
+    let answer = intervals::solve(&problem, joined, &mut Refused::default(), &mut Work::at_most(MOST));
+    let answer = answer.ok_or_else(|| NoSolution::NotConverged.into());
     Some(answer.map(|answer| answer.into_solution(&problem, 1.0, None)))
 }

@@ -14,8 +14,10 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
 use crate::contact::error::ContactError;
+use crate::contact::intervals::Refused;
 use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
+use crate::contact::starts::order::solve_in_order;
 use crate::kernel::{DECAYED, Kernel};
 use crate::numeric;
 use crate::solution::{Contact, Interface, Warning, WarningCode};
@@ -39,24 +41,24 @@ const FINEST: usize = 512;
 /// The part of all operations after which contacts are not looked for any more where layers are to be judged. Twice as many: scenes that are not solved take longer.
 const ROUGH: f64 = 0.02;
 
-/// Solves with `solve`, without what only layers much thinner than a contact change in the kernels if that makes the smaller
-/// error.
+/// Solves without what only layers much thinner than a contact change in the kernels if that makes the smaller error.
 ///
 /// Which layers these are is judged by contacts that were found to a few digits, without the layers that are thin next to contacts that formulas expect: the
-/// latter may be wrong by any factor.
-pub(super) fn solve(
-    problem: &Problem,
-    solve: impl Fn(&Problem) -> Result<Answer, ContactError>,
-) -> Result<Answer, ContactError> {
+/// latter may be wrong by any factor. All contacts are near these.
+pub(super) fn solve(problem: &Problem, refused: &mut Refused) -> Result<Answer, ContactError> {
     let mut half_lengths = formulas::half_lengths(problem);
-    let Some(expected) = Thin::new(problem, half_lengths.clone())? else { return solve(problem) };
-    if let Ok(rough) = expected.without(problem, problem.tolerance.max(COARSE), ROUGH * problem.operations, &solve) {
-        let found = rough.contacts.iter().zip(problem.unknown());
-        found.for_each(|(found, i)| half_lengths[i] = found.innermost().right);
+    let Some(expected) = Thin::new(problem, half_lengths.clone())? else {
+        return solve_in_order(problem, None, refused);
+    };
+    let (tolerance, operations) = (problem.tolerance.max(COARSE), ROUGH * problem.operations);
+    let rough = expected.without(problem, tolerance, operations, None, &mut Refused::default());
+    let near = rough.as_ref().ok().map(|rough| &rough.contacts[..]);
+    for (found, contact) in near.into_iter().flatten().zip(problem.unknown()) {
+        half_lengths[contact] = found.innermost().right;
     }
     match Thin::new(problem, half_lengths)? {
-        Some(thin) => thin.solve(problem, &solve),
-        None => solve(problem),
+        Some(thin) => thin.solve(problem, near, refused),
+        None => solve_in_order(problem, near, refused),
     }
 }
 
@@ -97,20 +99,22 @@ impl<'a> Thin<'a> {
     fn solve(
         &self,
         problem: &Problem,
-        solve: &impl Fn(&Problem) -> Result<Answer, ContactError>,
+        near: Option<&[Contact]>,
+        refused: &mut Refused,
     ) -> Result<Answer, ContactError> {
         // with and without together take half as long again as one of them at most
-        let without = || self.without(problem, problem.tolerance, 0.5 * problem.operations, solve);
+        let operations = 0.5 * problem.operations;
+        let without = |refused: &mut Refused| self.without(problem, problem.tolerance, operations, near, refused);
         // the boundary layer at the ends of a contact is as long as a layer there is thick, up to φ = √(2 h/a) of x = a cos φ: shorter than a wave of the highest modes
         let is_unresolved = (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI;
         if self.error <= problem.tolerance || is_unresolved {
-            return without().or_else(|_| solve(problem));
+            return without(refused).or_else(|_| solve_in_order(problem, near, refused));
         }
-        let whole = solve(problem);
+        let whole = solve_in_order(problem, near, refused);
         if whole.as_ref().is_ok_and(|whole| worst(whole) <= self.error) {
             return whole;
         }
-        match without() {
+        match without(refused) {
             Ok(less) if !whole.as_ref().is_ok_and(|whole| worst(whole) <= worst(&less)) => Ok(less),
             _ => whole,
         }
@@ -122,13 +126,18 @@ impl<'a> Thin<'a> {
         problem: &Problem,
         tolerance: f64,
         operations: f64,
-        solve: &impl Fn(&Problem) -> Result<Answer, ContactError>,
+        near: Option<&[Contact]>,
+        refused: &mut Refused,
     ) -> Result<Answer, ContactError> {
         let interfaces = self.interfaces(problem.interfaces);
         // no more digits are of use than are left
         let tolerance = tolerance.max(0.1 * self.error);
         let simpler = Problem { operations, ..problem.on(&self.kernel, &interfaces, tolerance) };
-        solve(&simpler).map(|answer| self.admit(answer, problem))
+        let near = near.map(|contacts| {
+            let all = contacts.iter().zip(problem.unknown());
+            all.filter(|(_, contact)| !self.is_joined(*contact)).map(|(found, _)| found.clone()).collect::<Vec<_>>()
+        });
+        solve_in_order(&simpler, near.as_deref(), refused).map(|answer| self.admit(answer, problem))
     }
 
     /// Leaves out the laminate below a contact, which is one with the next contact then, if modes do not resolve how far the
@@ -151,8 +160,16 @@ impl<'a> Thin<'a> {
 
     /// The stack's contacts that the kernel has, too.
     fn interfaces(&self, all: &[Interface]) -> Vec<Interface> {
-        let joined = |contact: usize| self.joined.iter().any(|(lower, _)| *lower == contact);
-        all.iter().enumerate().filter(|(contact, _)| !joined(*contact)).map(|(_, interface)| *interface).collect()
+        all.iter()
+            .enumerate()
+            .filter(|(contact, _)| !self.is_joined(*contact))
+            .map(|(_, interface)| *interface)
+            .collect()
+    }
+
+    /// Whether a contact of the stack is one with the contact above.
+    fn is_joined(&self, contact: usize) -> bool {
+        self.joined.iter().any(|(lower, _)| *lower == contact)
     }
 
     /// The answer for all contacts of the problem, with what is left out in its errors, and a warning that says so.

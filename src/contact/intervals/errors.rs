@@ -111,7 +111,9 @@ impl Errors {
             }
             for recontact in &signs.recontacts {
                 let laminate = recontact.laminate..=recontact.laminate + 1;
-                let moves = if laminate.contains(&interval.contact) { recontact.moves() } else { 0.0 };
+                // a moment that is missing changes other contacts in proportion
+                let moves =
+                    if laminate.contains(&interval.contact) { recontact.moves() } else { SAFETY * recontact.moment };
                 self.ends[number].iter_mut().for_each(|end| *end += moves);
                 self.pressures[number] += recontact.moment;
             }

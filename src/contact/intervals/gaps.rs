@@ -35,8 +35,8 @@ pub(super) struct Signs {
 pub(super) enum Fault {
     /// Inside an interval.
     Tension,
-    /// Deepest at a place, and over this interval.
-    Penetration { contact: usize, punch: usize, at: f64, over: [f64; 2] },
+    /// Deepest at a place, by how much, and over this interval.
+    Penetration { contact: usize, punch: usize, at: f64, depth: f64, over: [f64; 2] },
     /// Too many wavenumbers are needed to tell.
     Unknown,
 }
@@ -47,6 +47,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     let Tension { min_pressure, tensions, ends } = pressures(problem, level)?;
     // less than an answer is wrong by counts as zero
     let zero = COARSE.max(error);
+    let most = if leaves_out { COARSE } else { error };
     let (mut min_gap, mut recontacts) = (0.0f64, Vec::new());
     let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
     lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
@@ -78,15 +79,14 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
             let penetrates = |gap: f64| gap < -allowed;
             if penetrates(least.1) {
                 let recontact = recontact(problem.kernel, contact, &lengths.ends, &gaps, allowed);
-                if let Some(recontact) = recontact.filter(|own| leaves_out && problem.is_even() && own.moment <= COARSE)
-                {
+                if let Some(recontact) = recontact.filter(|own| problem.is_even() && own.moment <= most) {
                     recontacts.push(recontact);
                     continue;
                 }
                 let mut all: Vec<f64> = gaps.iter().filter(|(_, gap)| penetrates(*gap)).map(|(x, _)| *x).collect();
                 all.sort_by(f64::total_cmp);
                 let over = [all[0], all[all.len() - 1]];
-                return Err(Fault::Penetration { contact, punch: beside.0, at: least.0, over });
+                return Err(Fault::Penetration { contact, punch: beside.0, at: least.0, depth: -least.1, over });
             }
         }
     }
@@ -103,7 +103,7 @@ struct Tension {
 /// Looks for tension in all intervals.
 fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault> {
     let count = problem.contacts();
-    let [mut means, mut smallest] = [vec![0.0f64; count], vec![0.0f64; count]];
+    let mut smallest = vec![0.0f64; count];
     // about the middle, where pressures are said to be right to a part of what they are there
     let (mut tensions, mut ends) = (vec![0.0f64; count], Vec::new());
     for (interval, pressure) in level.support.0.iter().zip(&level.solved.pressures) {
@@ -115,7 +115,6 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault>
             ends.push([0.0; 2]);
             continue;
         }
-        means[contact] = means[contact].max(pressure.mean(interval));
         smallest[contact] = smallest[contact].min(least);
         if interval.is_even() {
             tensions[contact] = -least / most;
@@ -124,7 +123,7 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault>
     }
     // more tension than that belongs to another root, however badly its ends are known: where intervals that ought to be apart meet, the
     // ends of the gap between them are no better known than that it is short
-    if smallest.iter().zip(&means).any(|(least, mean)| *least < -COARSE * mean) {
+    if smallest.iter().enumerate().any(|(contact, least)| *least < -COARSE * level.mean_pressure(contact)) {
         return Err(Fault::Tension);
     }
     Ok(Tension { min_pressure: smallest.into_iter().fold(0.0, f64::min), tensions, ends })

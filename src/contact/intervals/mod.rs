@@ -19,6 +19,7 @@ mod space;
 mod steps;
 mod support;
 mod system;
+mod tension;
 #[cfg(test)]
 mod tests;
 mod topology;
@@ -149,7 +150,7 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
         last.support.equalise(&mut counts);
         let is_finest = !is_rough && !goes_on && counts == last.counts;
         // errors of few terms may be small by chance
-        let is_better = std::mem::replace(&mut was_few, is_few)
+        let is_better = std::mem::replace(&mut was_few, is_few || last.counts == few)
             || best.as_ref().is_none_or(|(best, _)| errors.worst() < best.worst());
         if is_better {
             best = Some((errors, last.clone()));
@@ -171,8 +172,7 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
         }
     }
     let (errors, level) = best.ok_or(None)?;
-    // a list that has passed the first look is not changed any more
-    answered(problem, level, errors, leaves_out, work).map_err(|fault| fault.filter(|_| !is_seen))
+    answered(problem, level, errors, leaves_out, work)
 }
 
 /// The answer that a solution is with its errors, though intervals that carry next to nothing may be left out.

@@ -108,7 +108,7 @@ fn random_scenes_are_solved_alike_without_symmetry() {
         let uneven = Intervals(even.0.iter().map(whole).collect());
         let starts = if problem.twin() == Twin::Round { vec![even] } else { vec![even, uneven] };
         for start in starts {
-            let Some(found) = solve(&problem, start, 1, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS))
+            let Some(found) = solve(&problem, start, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS))
             else {
                 left += 1;
                 continue;
@@ -144,7 +144,7 @@ fn contacts_on_both_faces_of_a_thin_layer_are_found_from_formulas() {
     let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
     let problem = Problem::new(&kernel, &interfaces, &top, force, Options::default().tolerance);
     let start = of_formulas(&problem, &formulas::anywhere(&problem)).unwrap();
-    let found = solve(&problem, start, 1, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS)).unwrap();
+    let found = solve(&problem, start, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS)).unwrap();
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
     for (found, expected) in found.contacts.iter().zip(&expected.contacts) {
         let (found, expected) = (found.innermost(), expected.innermost());

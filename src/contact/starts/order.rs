@@ -1,10 +1,9 @@
 //! In which order lists of intervals to begin with are tried until one leads to an answer.
 //!
-//! 1. Where formulas of contact mechanics expect contacts ([`formulas`]), with few terms.
+//! 1. Where contacts were found without layers that are thin against them, or else where formulas of contact mechanics expect them ([`formulas`]).
 //! 2. Where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start. Where the force is to be found it is not known
 //!    to the programme: where contacts are under the force that is expected.
-//! 3. Both again, with more terms.
-//! 4. The pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
+//! 3. The pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
 use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::{self, Intervals, Refused};
@@ -15,27 +14,57 @@ use crate::contact::programme;
 use crate::contact::starts::formulas;
 use crate::solution::{Contact, Interval};
 
-/// What tells the list to begin with.
-#[derive(Clone, Copy)]
-enum Start {
-    Formulas,
-    Programme,
+/// Presses punches or loads by Newton's method, from where contacts were found nearly, or where formulas expect them, or where the coarse programme sees them.
+///
+/// # Errors
+/// [`NoSolution`], with the reason if one is known.
+pub(crate) fn solve_in_order(
+    problem: &Problem,
+    near: Option<&[Contact]>,
+    refused: &mut Refused,
+) -> Result<Answer, ContactError> {
+    too_small_for_certain(problem)?;
+    let expected = formulas::anywhere(problem);
+    let first = near.and_then(|contacts| intervals::of_contacts(problem, contacts));
+    let first = first.or_else(|| intervals::of_formulas(problem, &expected));
+    let mut work = Work::at_most(problem.operations);
+    let mut solve = |list: Intervals, refused: &mut Refused| intervals::solve(problem, list, refused, &mut work);
+    let mut solved = first.and_then(|list| solve(list, refused));
+    if solved.is_none() {
+        let lists = match problem.prescribed {
+            Some(_) => under_expected_force(problem).into_iter().collect(),
+            None => {
+                let active = programme::active(problem, &expected, refused.far);
+                intervals::of_programme(problem, &active.unwrap_or_default())
+            }
+        };
+        solved = lists.into_iter().find_map(|list| solve(list, refused));
+    }
+    let refuse = || refused.reason.clone().unwrap_or_else(|| NoSolution::NotConverged.into());
+    solved.ok_or_else(refuse).and_then(|answer| on_punches(problem, answer))
 }
 
-/// What is tried one after the other, with how many times the usual number of terms: few terms take the least; where they lead nowhere, twice as many may not.
-const TRIED: [(Start, usize); 6] = [
-    (Start::Formulas, 1),
-    (Start::Programme, 1),
-    (Start::Formulas, 2),
-    (Start::Formulas, 4),
-    (Start::Programme, 2),
-    (Start::Programme, 4),
-];
+/// The pressures of the fine programme where Newton's method has failed.
+///
+/// # Errors
+/// The error of Newton's method where the programme knows no better.
+pub(crate) fn of_low_accuracy(
+    problem: &Problem,
+    refused: &Refused,
+    error: ContactError,
+) -> Result<Answer, ContactError> {
+    too_small_for_certain(problem)?;
+    let expected = formulas::anywhere(problem);
+    let answer = problem.prescribed.map_or_else(|| programme::answer(problem, &expected, refused.far), |_| None);
+    answer.ok_or(error).and_then(|answer| on_punches(problem, answer))
+}
 
 /// Where contacts are under the force that is expected to bring about what is prescribed: below the punch, as much longer or shorter as the contact of the punch is to be.
 fn under_expected_force(problem: &Problem) -> Option<Intervals> {
     let given = Problem { prescribed: None, ..problem.on(problem.kernel, problem.interfaces, COARSE) };
-    let mut contacts = solve_in_order(&given).ok()?.contacts;
+    let mut refused = Refused::default();
+    let answer = solve_in_order(&given, None, &mut refused);
+    let mut contacts = answer.or_else(|error| of_low_accuracy(&given, &refused, error)).ok()?.contacts;
     if let Some(Prescribed::HalfLength(half)) = problem.prescribed {
         let found = contacts.first()?.half_length()?;
         for contact in &mut contacts {
@@ -47,39 +76,15 @@ fn under_expected_force(problem: &Problem) -> Option<Intervals> {
     intervals::of_contacts(problem, &contacts)
 }
 
-/// Presses punches or loads.
-///
-/// # Errors
-/// [`NoSolution`], with the reason if one is known.
-pub(crate) fn solve_in_order(problem: &Problem) -> Result<Answer, ContactError> {
-    // formulas may expect contacts that are too long: the punch is too small for certain if it is for the shortest one there can be under a given force
-    if problem.prescribed.is_none()
-        && problem.too_small(&formulas::half_lengths(problem)).is_some()
-        && let Some(error) = problem.too_small(&formulas::shortest(problem))
-    {
-        return Err(error);
-    }
-    let expected = formulas::anywhere(problem);
-    let of_formulas = intervals::of_formulas(problem, &expected);
-    let ask = |far: f64| {
-        if problem.prescribed.is_some() {
-            return under_expected_force(problem).into_iter().collect();
-        }
-        intervals::of_programme(problem, &programme::active(problem, &expected, far).unwrap_or_default())
-    };
-    let mut work = Work::at_most(problem.operations);
-    let (mut refused, mut seen) = (Refused::default(), None);
-    let solved = TRIED.into_iter().find_map(|(start, finer)| {
-        let lists = match start {
-            Start::Formulas => of_formulas.as_slice(),
-            Start::Programme => seen.get_or_insert_with(|| ask(refused.far)),
-        };
-        lists.iter().find_map(|list| intervals::solve(problem, list.clone(), finer, &mut refused, &mut work))
-    });
-    let low = || problem.prescribed.map_or_else(|| programme::answer(problem, &expected, refused.far), |_| None);
-    let Some(answer) = solved.or_else(low) else {
-        return Err(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
-    };
+/// Formulas may expect contacts that are too long: a punch is too small for certain if it is for the shortest contact there can be under a given force.
+fn too_small_for_certain(problem: &Problem) -> Result<(), ContactError> {
+    let is_possible = problem.prescribed.is_none() && problem.too_small(&formulas::half_lengths(problem)).is_some();
+    let error = if is_possible { problem.too_small(&formulas::shortest(problem)) } else { None };
+    error.map_or(Ok(()), Err)
+}
+
+/// An answer whose contacts do not reach beyond their punches.
+fn on_punches(problem: &Problem, answer: Answer) -> Result<Answer, ContactError> {
     let reaches: Vec<f64> = answer.contacts.iter().map(Contact::reach).collect();
     problem.too_small(&reaches).map_or(Ok(answer), Err)
 }
