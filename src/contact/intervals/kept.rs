@@ -3,6 +3,7 @@
 //! Pressures on a list of intervals are corrected by what they miss there, with the factors of the equations of an earlier list: a correction costs a product of
 //! columns with one vector, twice, in place of products of all columns with each other. It leaves as much of an error as ends have moved. Terms that the
 //! equations do not have are so short that half-planes dominate in their rows.
+use crate::contact::integrals::layout::Layout;
 use crate::contact::intervals::equations::{Equations, Places, Solved, fewer};
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
@@ -120,4 +121,20 @@ impl Solved {
         let pressures = self.pressures.iter().zip(&support.0).map(|(pressure, interval)| pressure.regular(interval));
         Self { pressures: pressures.collect(), ..self.clone() }
     }
+}
+
+/// Multiplications, about, that it takes to solve the equations of a list, and to correct pressures with kept ones.
+pub(super) fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> [f64; 2] {
+    let contacts = support.0.iter().map(|interval| interval.contact + 1).max().unwrap_or(0);
+    let of = |contact: usize| {
+        let own = support.0.iter().zip(counts).filter(|(interval, _)| interval.contact == contact);
+        own.map(|(_, count)| *count).sum::<usize>() as f64
+    };
+    let terms: Vec<f64> = (0..contacts).map(of).collect();
+    let (nodes, all) = (layout.zeta.len() as f64, terms.iter().sum::<f64>());
+    // a Bessel function takes as long as some 64 multiplications, and products are symmetric
+    let columns = 64.0 * nodes * all;
+    let own: f64 = terms.iter().map(|terms| 0.5 * nodes * terms * terms).sum();
+    let between: f64 = terms.windows(2).map(|pair| 0.5 * nodes * (pair[0] + pair[1]).powi(2)).sum();
+    [columns + own + between + all.powi(3) / 3.0, columns + all.powi(2)]
 }

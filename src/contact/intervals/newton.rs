@@ -4,7 +4,7 @@ use std::rc::Rc;
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::derivatives::{Derivatives, Matrix, steps};
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
-use crate::contact::intervals::kept::Kept;
+use crate::contact::intervals::kept::{Kept, operations};
 use crate::contact::intervals::left_out::left_out;
 use crate::contact::intervals::local::{Local, locals};
 use crate::contact::intervals::pressure::Pressure;
@@ -393,22 +393,6 @@ fn regular(equations: &Equations, support: &Intervals, solved: &Solved) -> Vec<P
     let unknowns = equations.unknowns(&places, &solved.regular(support));
     let counts: Vec<usize> = solved.pressures.iter().map(|pressure| pressure.terms.len()).collect();
     equations.solved(&places, &unknowns, &counts).pressures
-}
-
-/// Multiplications, about, that it takes to solve the equations of a list, and to correct pressures with kept ones.
-fn operations(layout: &Layout, support: &Intervals, counts: &[usize]) -> [f64; 2] {
-    let contacts = support.0.iter().map(|interval| interval.contact + 1).max().unwrap_or(0);
-    let of = |contact: usize| {
-        let own = support.0.iter().zip(counts).filter(|(interval, _)| interval.contact == contact);
-        own.map(|(_, count)| *count).sum::<usize>() as f64
-    };
-    let terms: Vec<f64> = (0..contacts).map(of).collect();
-    let (nodes, all) = (layout.zeta.len() as f64, terms.iter().sum::<f64>());
-    // a Bessel function takes as long as some 64 multiplications, and products are symmetric
-    let columns = 64.0 * nodes * all;
-    let own: f64 = terms.iter().map(|terms| 0.5 * nodes * terms * terms).sum();
-    let between: f64 = terms.windows(2).map(|pair| 0.5 * nodes * (pair[0] + pair[1]).powi(2)).sum();
-    [columns + own + between + all.powi(3) / 3.0, columns + all.powi(2)]
 }
 
 /// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.
