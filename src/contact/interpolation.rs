@@ -100,136 +100,99 @@ impl Curve {
             slots[k].get_or_init(|| solve(first + k as i64)).as_ref()?;
         }
         let points: Option<Vec<&Solution>> = slots.iter().map(|slot| slot.get()?.as_ref()).collect();
-        Between::new(points?, place - first as f64)?.solution(force, tolerance)
+        interpolated(&points?, place - first as f64, force, tolerance)
     }
 }
 
-/// Solutions of one kind at neighbouring forces, and what each of them contributes to the one between.
-struct Between<'a> {
-    points: Vec<&'a Solution>,
-    row: [f64; POINTS],
-    /// The same without the first and the last one.
-    fewer: [f64; POINTS],
+/// The numbers of a solution that change with the force: some alone, others with their errors.
+fn numbers(solution: &mut Solution) -> (Vec<&mut f64>, Vec<[&mut f64; 2]>) {
+    let Solution { contacts, punches, rotations, force, force_error, min_pressure, min_gap, .. } = solution;
+    let (mut alone, mut known) = (vec![min_pressure, min_gap], vec![[force, force_error]]);
+    alone.extend(rotations);
+    for Carried { force, tilt, moment } in punches {
+        alone.extend([force, tilt, moment]);
+    }
+    for Contact { intervals, strips, middle_pressure: [middle, error], .. } in contacts {
+        known.push([middle, error]);
+        for Interval { left, left_error, right, right_error, .. } in intervals {
+            known.extend([[left, left_error], [right, right_error]]);
+        }
+        for Strip { at, extent, coefficients, skew, corners, tip, tip_at, .. } in strips {
+            alone.extend([at, extent, tip, tip_at]);
+            alone.extend(corners.iter_mut().chain(coefficients).chain(skew));
+        }
+    }
+    (alone, known)
 }
 
-impl<'a> Between<'a> {
-    /// `None` if not all of them are of one kind.
-    fn new(points: Vec<&'a Solution>, place: f64) -> Option<Self> {
-        let kind = |solution: &Solution| -> Vec<(usize, usize)> {
-            solution.contacts.iter().map(|contact| (contact.intervals.len(), contact.strips.len())).collect()
-        };
-        let own = kind(points[0]);
-        if points.iter().any(|point| kind(point) != own) {
-            return None;
-        }
-        let nodes: [f64; POINTS] = std::array::from_fn(|k| k as f64);
-        let (mut row, mut fewer) = ([0.0; POINTS], [0.0; POINTS]);
-        interpolation_row(&nodes, &barycentric_weights(&nodes), place, &mut row);
-        let inner = &nodes[1..POINTS - 1];
-        interpolation_row(inner, &barycentric_weights(inner), place, &mut fewer[1..POINTS - 1]);
-        Some(Self { points, row, fewer })
+/// Makes the series of all solutions as long as the longest; `None` if the solutions are not of one kind.
+fn alike(points: &[&Solution]) -> Option<Vec<Solution>> {
+    let kind = |solution: &Solution| -> Vec<[usize; 2]> {
+        solution.contacts.iter().map(|contact| [contact.intervals.len(), contact.strips.len()]).collect()
+    };
+    if points.iter().any(|point| kind(point) != kind(points[0])) {
+        return None;
     }
-
-    /// A number between, and how well it is known for want of solutions.
-    fn number(&self, of: impl Fn(&Solution) -> f64) -> [f64; 2] {
-        let (mut sum, mut differ) = (0.0, 0.0);
-        for (point, (part, fewer)) in self.points.iter().zip(self.row.iter().zip(&self.fewer)) {
-            let value = of(point);
-            sum += part * value;
-            differ += (part - fewer) * value;
-        }
-        [sum, SAFETY * differ.abs()]
-    }
-
-    fn value(&self, of: impl Fn(&Solution) -> f64) -> f64 {
-        self.points.iter().zip(&self.row).map(|(point, part)| part * of(point)).sum()
-    }
-
-    /// A number between with its error.
-    fn known(&self, of: impl Fn(&Solution) -> f64, error: impl Fn(&Solution) -> f64) -> [f64; 2] {
-        let [value, between] = self.number(of);
-        let parts = self.points.iter().zip(&self.row).map(|(point, part)| (part * error(point)).abs());
-        [value, between + parts.sum::<f64>()]
-    }
-
-    /// The solution between; `None` where it is not known to the tolerance.
-    fn solution(&self, force: Force, tolerance: f64) -> Option<Solution> {
-        let one = self.points[POINTS / 2];
-        let [force, force_error] = match force.given() {
-            Some(force) => [force, 0.0],
-            None => self.known(|point| point.force, |point| point.force_error),
+    let mut all: Vec<Solution> = points.iter().map(|point| (*point).clone()).collect();
+    for (i, k) in
+        (0..points[0].contacts.len()).flat_map(|i| (0..points[0].contacts[i].strips.len()).map(move |k| (i, k)))
+    {
+        let longest = |series: fn(&Strip) -> &Vec<f64>| {
+            points.iter().map(|point| series(&point.contacts[i].strips[k]).len()).fold(0, usize::max)
         };
-        let contacts: Vec<Contact> = (0..one.contacts.len()).map(|i| self.contact(i)).collect();
-        let relative = contacts.iter().flat_map(|contact| {
-            let of = |interval: &Interval| {
-                interval.left_error.max(interval.right_error) / (0.5 * (interval.right - interval.left))
-            };
-            let [middle, error] = contact.middle_pressure;
-            let (pressure, is_known) = (error / middle, middle == 0.0 || middle.is_infinite());
-            let lost = (contact.resultant / force - 1.0).abs();
-            contact.intervals.iter().map(of).chain([if is_known { 0.0 } else { pressure }, lost]).collect::<Vec<_>>()
-        });
-        let worst = largest(relative.chain([force_error / force]));
-        let is_known = worst <= tolerance;
-        let punches = |k: usize| Carried {
-            force: self.value(|point| point.punches[k].force),
-            tilt: self.value(|point| point.punches[k].tilt),
-            moment: self.value(|point| point.punches[k].moment),
-        };
-        is_known.then(|| Solution {
-            stack: one.stack.clone(),
-            contacts,
-            force,
-            force_error,
-            controlled: one.controlled,
-            punches: (0..one.punches.len()).map(punches).collect(),
-            rotations: (0..one.rotations.len()).map(|k| self.value(|point| point.rotations[k])).collect(),
-            min_pressure: self.value(|point| point.min_pressure).min(0.0),
-            min_gap: self.value(|point| point.min_gap).min(0.0),
-            stats: Stats { newton_steps: Vec::new(), interpolated: 0, factorisations: 0, ..one.stats.clone() },
-            warnings: Vec::new(),
-        })
-    }
-
-    fn contact(&self, i: usize) -> Contact {
-        let one = &self.points[POINTS / 2].contacts[i];
-        let interval = |k: usize| {
-            let of = |point: &Solution| point.contacts[i].intervals[k];
-            let left = self.known(|point| of(point).left, |point| of(point).left_error);
-            Interval::new(left, self.known(|point| of(point).right, |point| of(point).right_error))
-        };
-        let middle = |point: &Solution| point.contacts[i].middle_pressure;
-        let middle = match one.middle_pressure[0].is_finite() {
-            true => self.known(|point| middle(point)[0], |point| middle(point)[1]),
-            false => one.middle_pressure,
-        };
-        let strips: Vec<Strip> = (0..one.strips.len()).map(|k| self.strip(i, k)).collect();
-        let intervals = (0..one.intervals.len()).map(interval).collect();
-        Contact::new(one.interface, intervals, strips, one.about, middle, one.punches.clone())
-    }
-
-    fn strip(&self, i: usize, k: usize) -> Strip {
-        let of = |point: &'a Solution| &point.contacts[i].strips[k];
-        let series = |own: fn(&Strip) -> &Vec<f64>| -> Vec<f64> {
-            let most = self.points.iter().map(|point| own(of(point)).len()).fold(0, usize::max);
-            let mut sums = vec![0.0; most];
-            for (point, part) in self.points.iter().zip(&self.row) {
-                sums.iter_mut().zip(own(of(point))).for_each(|(sum, value)| *sum += part * value);
-            }
-            sums
-        };
-        let number = |own: &dyn Fn(&Strip) -> f64| self.value(|point| own(&point.contacts[i].strips[k]));
-        let one = of(self.points[POINTS / 2]);
-        Strip {
-            at: number(&|strip| strip.at),
-            extent: number(&|strip| strip.extent),
-            coefficients: series(|strip| &strip.coefficients),
-            skew: series(|strip| &strip.skew),
-            corners: [0, 1].map(|side| number(&|strip| strip.corners[side])),
-            tip: number(&|strip| strip.tip),
-            tip_at: number(&|strip| strip.tip_at),
-            form: one.form,
-            is_round: one.is_round,
+        let [terms, odd] = [longest(|strip| &strip.coefficients), longest(|strip| &strip.skew)];
+        for own in &mut all {
+            let strip = &mut own.contacts[i].strips[k];
+            strip.coefficients.resize(terms, 0.0);
+            strip.skew.resize(odd, 0.0);
         }
     }
+    Some(all)
+}
+
+/// The solution at a place between others at 0, 1, 2, ...; `None` where it is not known to the tolerance.
+fn interpolated(points: &[&Solution], place: f64, force: Force, tolerance: f64) -> Option<Solution> {
+    let mut all = alike(points)?;
+    let nodes: [f64; POINTS] = std::array::from_fn(|k| k as f64);
+    let (mut row, mut fewer) = ([0.0; POINTS], [0.0; POINTS]);
+    interpolation_row(&nodes, &barycentric_weights(&nodes), place, &mut row);
+    let inner = &nodes[1..POINTS - 1];
+    interpolation_row(inner, &barycentric_weights(inner), place, &mut fewer[1..POINTS - 1]);
+    let mut between = all[POINTS / 2].clone();
+    let parts: Vec<_> = all.iter_mut().map(numbers).collect();
+    let (alone, known) = numbers(&mut between);
+    for (k, into) in alone.into_iter().enumerate() {
+        *into = parts.iter().zip(&row).map(|((alone, _), part)| part * *alone[k]).sum();
+    }
+    for (k, [value, error]) in known.into_iter().enumerate().filter(|(_, [value, _])| value.is_finite()) {
+        let (mut sum, mut differ, mut errors) = (0.0, 0.0, 0.0);
+        for ((_, known), (part, fewer)) in parts.iter().zip(row.iter().zip(&fewer)) {
+            sum += part * *known[k][0];
+            differ += (part - fewer) * *known[k][0];
+            errors += (part * *known[k][1]).abs();
+        }
+        (*value, *error) = (sum, SAFETY * differ.abs() + errors);
+    }
+    if let Some(force) = force.given() {
+        (between.force, between.force_error) = (force, 0.0);
+    }
+    let stats = Stats { newton_steps: Vec::new(), interpolated: 0, factorisations: 0, ..between.stats };
+    let (min_pressure, min_gap) = (between.min_pressure.min(0.0), between.min_gap.min(0.0));
+    let with_forces = |own: Contact| {
+        Contact::new(own.interface, own.intervals, own.strips, own.about, own.middle_pressure, own.punches)
+    };
+    let contacts = between.contacts.into_iter().map(with_forces).collect();
+    let between = Solution { contacts, min_pressure, min_gap, stats, ..between };
+    let relative = between.contacts.iter().flat_map(|contact| {
+        let of = |interval: &Interval| {
+            interval.left_error.max(interval.right_error) / (0.5 * (interval.right - interval.left))
+        };
+        let [middle, error] = contact.middle_pressure;
+        let is_known = middle == 0.0 || middle.is_infinite();
+        let lost = (contact.resultant / between.force - 1.0).abs();
+        let others = [if is_known { 0.0 } else { error / middle }, lost];
+        contact.intervals.iter().map(of).chain(others).collect::<Vec<_>>()
+    });
+    let worst = largest(relative.chain([between.force_error / between.force]));
+    (worst <= tolerance).then_some(between)
 }
