@@ -88,6 +88,8 @@ fn changed(
                 match next.filter(|_| !may_grow) {
                     Some(next) => {
                         if let Some(at) = at {
+                            // an answer without the new interval may have to do
+                            work.start();
                             penetrating.get_or_insert((level, at));
                         }
                         (finer, deepest) = (1, None);
