@@ -94,8 +94,7 @@ impl Contact {
         let all = self.strips.iter().flat_map(Strip::places).chain(self.between_ends());
         let mut places: Vec<f64> = all.filter(|x| *x > first).collect();
         places.sort_by(f64::total_cmp);
-        // what differs by rounding is one place
-        places.dedup_by(|next, before| *next - *before <= 1e-9 * self.half_span());
+        places.dedup_by(|next, before| *next - *before <= self.rounding());
         for (k, x) in places.iter().enumerate() {
             let here = pressure(*x);
             if here > best.1.max(0.0) * by_rounding {
@@ -117,10 +116,16 @@ impl Contact {
         Peak { pressure: largest, error, x, x_error }
     }
 
-    /// The middles between the ends of strips next to each other.
+    /// Places that are as near to each other as this are one but for rounding.
+    fn rounding(&self) -> f64 {
+        1e-9 * self.half_span()
+    }
+
+    /// The middles between the ends of strips next to each other. Where one strip ends and the next begins they may overlap by rounding, and the sum of both is no pressure.
     fn between_ends(&self) -> impl Iterator<Item = f64> {
         let mut ends: Vec<f64> = self.strips.iter().flat_map(Strip::ends).collect();
         ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|next, before| *next - *before <= self.rounding());
         (1..ends.len()).map(move |k| 0.5 * (ends[k - 1] + ends[k]))
     }
 
@@ -146,5 +151,30 @@ impl Contact {
         // of a pressure that is given none is missing
         let is_found = self.middle_pressure[1] > 0.0;
         self.strips.iter().filter(|strip| is_found && strip.form == Form::Series).map(last).fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solution::{Interface, Interval};
+
+    /// Elements whose ends are the same but for rounding, each with a constant pressure.
+    #[test]
+    fn the_pressures_of_elements_next_to_each_other_do_not_add_up() {
+        for count in 2..60 {
+            let end = |k: usize| 0.1 * (k as f64).powf(1.3);
+            let element = |k: usize| {
+                let [from, to] = [end(k), end(k + 1)];
+                let pressure = 1.0 / (1 + k) as f64;
+                let strip = Strip::series(0.5 * (to - from), vec![4.0 / std::f64::consts::PI * pressure]);
+                Strip { at: 0.5 * (from + to), form: Form::Uniform, ..strip }
+            };
+            let strips: Vec<Strip> = (0..count).map(element).collect();
+            let first = strips[0].pressure(strips[0].at);
+            let whole = vec![Interval::new([0.0; 2], [end(count), 0.0])];
+            let peak = Contact::new(Interface::Punch, whole, strips, None, [first, 0.0], Vec::new()).peak();
+            assert!((peak.pressure / first - 1.0).abs() < 1e-12, "{count}: {peak:?} {first}");
+        }
     }
 }
