@@ -38,11 +38,14 @@ pub(super) fn tension(problem: &Problem, level: &Approximation) -> Tension {
         let tensile: Vec<usize> = (0..coarser.len()).filter(|k| own.pressures[*k] < -COARSE * mean).collect();
         let is_certain = |k: &usize| own.pressures[*k] < -SAFETY * (own.pressures[*k] - coarser[*k]).abs();
         let certain: Vec<usize> = tensile.iter().copied().filter(is_certain).collect();
-        let is_light = pressure.force(interval) < COARSE && level.support.of(interval.contact).len() > 1;
+        // as a part of what its punch carries: each punch keeps an interval
+        let part = pressure.force(interval) / problem.groups(interval.contact)[interval.punch].share;
+        let is_like = |other: &&ContactInterval| other.punch == interval.punch;
+        let is_light = part < COARSE && level.support.of(interval.contact).iter().filter(is_like).count() > 1;
         let parts = match certain[..] {
             [] => None,
             _ if is_light => Some(Vec::new()),
-            [first, ..] => own.without_tail(&certain, pressure.force(interval)).or_else(|| own.without(first)),
+            [first, ..] => own.without_tail(&certain, part).or_else(|| own.without(first)),
         };
         if let Some(parts) = parts {
             let mut all = level.support.0.clone();
@@ -79,10 +82,10 @@ impl Inside<'_> {
         places.map(|k| self.pressures[k].max(0.0) * self.angle(k).sin() * arm(k)).sum()
     }
 
-    /// The interval up to the innermost place of certain tension beyond which it carries next to nothing; its force is a part of the force of the contact.
-    fn without_tail(&self, certain: &[usize], force: f64) -> Option<Vec<ContactInterval>> {
+    /// The interval up to the innermost place of certain tension beyond which it carries next to nothing, itself carrying a part of the force of its punch.
+    fn without_tail(&self, certain: &[usize], part: f64) -> Option<Vec<ContactInterval>> {
         let (interval, count) = (self.interval, self.pressures.len());
-        let nothing = COARSE * self.carried(0..count) / force;
+        let nothing = COARSE * self.carried(0..count) / part;
         let right = certain.iter().rev().find(|k| self.carried(0..**k) < nothing);
         let left = certain.iter().find(|k| !interval.is_even() && self.carried(**k..count) < nothing);
         let (ends, kept) = match (right, left) {

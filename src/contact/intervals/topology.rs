@@ -68,44 +68,68 @@ fn changed(
         let mut counts: Vec<usize> = support.0.iter().map(count).collect();
         support.equalise(&mut counts);
         support = match converge(problem, support, None, &counts, COARSE, work) {
-            Ok(level) => {
-                let (next, depth, at) = match tension(problem, &level) {
-                    Tension::Certain(next, depth) => (Some(next), depth, None),
-                    Tension::Unresolved if finer < FINER => (None, f64::INFINITY, None),
-                    _ => match refine(problem, level.clone(), false, work) {
-                        Ok(answer) => return Ok(answer),
-                        Err(Some(Fault::Penetration { contact, punch, at, depth, over })) => {
-                            let next = with_interval(&level.support, (contact, punch), at, over);
-                            (Some(next), depth, Some(at))
-                        }
-                        Err(_) => return Err(level.support),
-                    },
-                };
-                // the list is not changed for what more terms mend
-                let is_mended =
-                    |(before, was): (Option<f64>, f64)| before.is_some() != at.is_some() || depth < SLOW * was;
-                let may_grow = finer < FINER && deepest.is_none_or(is_mended);
-                match next.filter(|_| !may_grow) {
-                    Some(next) => {
-                        if let Some(at) = at {
-                            // an answer without the new interval may have to do
-                            work.start();
-                            penetrating.get_or_insert((level, at));
-                        }
-                        (finer, deepest) = (1, None);
-                        next
-                    }
-                    None => {
-                        (finer, deepest) = (2 * finer, Some((at, depth)));
-                        level.support
-                    }
+            Ok(level) => match examined(problem, &level, finer < FINER, work) {
+                Ok(answer) => return Ok(answer),
+                Err(None) => return Err(level.support),
+                Err(Some(wrong)) if finer < FINER && deepest.is_none_or(|last| wrong.is_mended_since(last)) => {
+                    (finer, deepest) = (2 * finer, Some((wrong.at, wrong.depth)));
+                    level.support
                 }
-            }
+                Err(Some(Wrong { next, at, .. })) => {
+                    if let Some(at) = at {
+                        // an answer without the new interval may have to do
+                        work.start();
+                        penetrating.get_or_insert((level, at));
+                    }
+                    (finer, deepest) = (1, None);
+                    next
+                }
+            },
             Err(Failure::Changed(next)) => next,
             Err(Failure::Stuck(last)) => return Err(last),
         };
     }
     Err(support)
+}
+
+/// What is wrong with the signs of a solution.
+struct Wrong {
+    /// The list that is nearer to the answer: the same one where more terms are to tell.
+    next: Intervals,
+    /// The largest tension or, at a place, penetration; infinite where more terms are to tell.
+    depth: f64,
+    at: Option<f64>,
+}
+
+impl Wrong {
+    /// Whether the terms that were added since the last solution on the list have mended much of it: the list is not changed for what more of them mend.
+    fn is_mended_since(&self, (at, depth): (Option<f64>, f64)) -> bool {
+        self.depth.is_infinite() || at.is_some() != self.at.is_some() || self.depth < SLOW * depth
+    }
+}
+
+/// The answer that follows from a solution, or what is wrong with its signs; nothing if there is no answer for another reason.
+fn examined(
+    problem: &Problem,
+    level: &Approximation,
+    may_grow: bool,
+    work: &mut Work,
+) -> Result<Answer, Option<Wrong>> {
+    match tension(problem, level) {
+        Tension::Certain(next, depth) => return Err(Some(Wrong { next, depth, at: None })),
+        Tension::Unresolved if may_grow => {
+            let (next, depth) = (level.support.clone(), f64::INFINITY);
+            return Err(Some(Wrong { next, depth, at: None }));
+        }
+        Tension::Unresolved | Tension::None => {}
+    }
+    refine(problem, level.clone(), false, work).map_err(|fault| match fault {
+        Some(Fault::Penetration { contact, punch, at, depth, over }) => {
+            let next = with_interval(&level.support, (contact, punch), at, over);
+            Some(Wrong { next, depth, at: Some(at) })
+        }
+        Some(Fault::Tension | Fault::Unknown) | None => None,
+    })
 }
 
 /// The error that a punch is too small, if an interval under it has grown to its edge, or that the intervals of two punches meet.

@@ -47,7 +47,7 @@ pub(crate) fn solve_in_order(
 /// The pressures of the fine programme where Newton's method has failed.
 ///
 /// # Errors
-/// The error of Newton's method where the programme knows no better.
+/// The error of Newton's method where the programme has no solution, or a bad one.
 pub(crate) fn of_low_accuracy(
     problem: &Problem,
     refused: &Refused,
