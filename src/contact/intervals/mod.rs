@@ -32,9 +32,7 @@ use crate::contact::integrals::tail::turning;
 use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
-use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Expected, Prescribed, Problem};
-use crate::contact::programme::ActiveIntervals;
 use crate::numeric::largest;
 use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
@@ -61,8 +59,8 @@ const LAYOUT_SERVES: f64 = 0.1;
 pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {
     let of = |Expected { contact, punch, ends }: &Expected| {
         if problem.is_even() {
-            let corners = [problem.sides[*contact].has_corners(); 2];
             let half = [ends[0].max(0.0), ends[1]];
+            let corners = [half[0] == 0.0, true].map(|may| may && problem.sides[*contact].has_corners());
             return (ends[1] > 0.0)
                 .then(|| ContactInterval::even(problem.twin(), *contact, half).with_corners(corners));
         }
@@ -94,24 +92,6 @@ pub(super) fn of_contacts(problem: &Problem, contacts: &[Contact]) -> Option<Int
         all.into_iter().filter(|one| !problem.is_even() || one.ends[1] > 0.0)
     });
     of_formulas(problem, &expected.collect::<Vec<_>>()).map(|support| support.held(problem))
-}
-
-/// Lists where the quadratic programme sees contacts, if it sees any; about an axis none but discs.
-pub(super) fn of_programme(problem: &Problem, active: &[ActiveIntervals]) -> Vec<Intervals> {
-    if active.is_empty() {
-        return Vec::new();
-    }
-    if problem.twin() == Twin::Round {
-        return starting_intervals(problem, active, |active| vec![[0.0, active.end()]]).into_iter().collect();
-    }
-    // the quadratic programme may see many intervals where bodies graze each other, or several, far out, instead of one with next to no force
-    let loaded = starting_intervals(problem, active, |active| active.loaded.clone())
-        .filter(|loaded| loaded.0.iter().any(|interval| !interval.is_even()));
-    let all = starting_intervals(problem, active, |active| active.intervals().to_vec());
-    let merged = starting_intervals(problem, active, ActiveIntervals::merged).filter(|_| problem.is_even());
-    let mut starts: Vec<Intervals> = [loaded, all, merged].into_iter().flatten().collect();
-    starts.dedup();
-    starts
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone, and, under a sharp tip, all that the mean feels which
@@ -255,29 +235,6 @@ fn grown(level: &Approximation, errors: &Errors, tolerance: f64) -> Vec<usize> {
         ((growth * *count as f64) as usize).min(FINEST.max(*count))
     };
     level.counts.iter().zip(&weights).map(grown).collect()
-}
-
-/// Intervals to begin with, none where the pressure is given; `None` if a contact has none, or one that does not end, or if a flat punch
-/// touches beside its middle only: no form of a pressure has one corner.
-fn starting_intervals(
-    problem: &Problem,
-    active: &[ActiveIntervals],
-    which: impl Fn(&ActiveIntervals) -> Vec<[f64; 2]>,
-) -> Option<Intervals> {
-    let mut expected = Vec::new();
-    for (contact, active) in active.iter().enumerate().filter(|(contact, _)| !problem.is_known(*contact)) {
-        let mut parts = which(active);
-        if let Some(edge) = problem.sides[contact].edge().filter(|_| problem.sides[contact].is_flat()) {
-            let [[0.0, to]] = &mut parts[..] else { return None };
-            *to = edge;
-        }
-        if parts.is_empty() || parts.iter().any(|[from, to]| !(to - from).is_finite() || to <= from) {
-            return None;
-        }
-        let of = |part: [f64; 2]| Expected { contact, punch: active.punch(part), ends: part };
-        expected.extend(parts.into_iter().map(of));
-    }
-    of_formulas(problem, &expected)
 }
 
 impl Lengths {

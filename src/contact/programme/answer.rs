@@ -11,7 +11,7 @@ use crate::solution::{Contact, Form, Interval, Stats, Strip, Warning, WarningCod
 
 use super::grid::Grid;
 use super::patch::Patch;
-use super::{ActiveIntervals, Cycle, FINE, LEAST_FORCE, UNRESOLVED, active_on, cycles};
+use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles, touching_on};
 
 /// Answers with a larger relative error are none.
 const MOST_ERROR: f64 = 0.25;
@@ -20,8 +20,8 @@ const MOST_ERROR: f64 = 0.25;
 pub(crate) fn answer(problem: &Problem, expected: &[Expected], far: f64) -> Option<Answer> {
     let all = cycles(problem, expected, far, FINE);
     let [before, last] = &all[..] else { return None };
-    let active = active_on(problem, expected, last)?;
-    let found = |(i, contact): (usize, usize)| found(problem, contact, &active[contact], [before, last], i);
+    let touching = touching_on(problem, expected, last);
+    let found = |(i, contact): (usize, usize)| found(problem, contact, &touching, [before, last], i);
     let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
     let elements = last.grid.elements();
     let message = format!(
@@ -51,7 +51,7 @@ fn rotations(problem: &Problem, last: &Cycle) -> Vec<Vec<f64>> {
 fn found(
     problem: &Problem,
     contact: usize,
-    active: &ActiveIntervals,
+    touching: &[Expected],
     [before, last]: [&Cycle; 2],
     i: usize,
 ) -> Option<Contact> {
@@ -60,7 +60,7 @@ fn found(
         return None;
     }
     let (side, is_even) = (&problem.sides[contact], problem.is_even());
-    let parts = parts(problem, contact, active, last, i)?;
+    let parts = parts(problem, contact, touching, last, i)?;
     if !is_even && find_no_room(problem, contact, &parts) {
         return None;
     }
@@ -120,7 +120,7 @@ fn find_no_room(problem: &Problem, contact: usize, parts: &[(Interval, usize)]) 
 fn parts(
     problem: &Problem,
     contact: usize,
-    active: &ActiveIntervals,
+    touching: &[Expected],
     last: &Cycle,
     i: usize,
 ) -> Option<Vec<(Interval, usize)>> {
@@ -128,15 +128,12 @@ fn parts(
     // a decaying contact is given as far as it carries a force, and an end beyond is not known
     let [begin, end] = last.decays(i);
     // an interval without end carries no force
-    let active_parts = active
-        .intervals()
-        .iter()
-        .filter(|[from, to]| (to.is_finite() || *from < end) && (from.is_finite() || *to > begin));
+    let presses = |[from, to]: &[f64; 2]| (to.is_finite() || *from < end) && (from.is_finite() || *to > begin);
+    let own = touching.iter().filter(|one| one.contact == contact && presses(&one.ends));
     let mut parts: Vec<(Interval, usize)> = Vec::new();
     let mut before = None;
-    for part @ [from, to] in active_parts {
-        let punch = active.punch(part.map(|x| x.clamp(begin, end)));
-        let corner = |side: f64| problem.corner(contact, punch, side);
+    for Expected { punch, ends: [from, to], .. } in own {
+        let corner = |side: f64| problem.corner(contact, *punch, side);
         let error = |side: f64, x: f64| if corner(side) == Some(x) { 0.0 } else { last.resolution(x) };
         let right = if to.is_finite() { [*to, error(1.0, *to).max(to - end)] } else { [end, ENDLESS * (end - begin)] };
         let left = match from.is_finite() {
@@ -156,7 +153,7 @@ fn parts(
         if let Some(grazed) = last.first_pressing(i, middle, own.left) {
             own.left_error = own.left_error.max(own.left - grazed);
         }
-        parts.push((own, punch));
+        parts.push((own, *punch));
     }
     let (first, _) = parts.first_mut()?;
     // a gap about x = 0 counts if it is longer than artefacts of the grid

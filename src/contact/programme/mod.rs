@@ -66,63 +66,6 @@ struct Resolution {
     is_answer: bool,
 }
 
-/// Where one contact touches: intervals, of x ≥ 0 where all is even, in units of L, ascending.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct ActiveIntervals {
-    /// All that are longer than artefacts of the grid.
-    pub(super) resolved: Vec<[f64; 2]>,
-    /// All, however short.
-    pub(super) separate: Vec<[f64; 2]>,
-    /// All but artefacts of the grid next to others.
-    pub(super) loaded: Vec<[f64; 2]>,
-    /// Between which places one of several punches may press and the next one may.
-    between: Vec<f64>,
-}
-
-impl ActiveIntervals {
-    fn one(end: f64) -> Self {
-        let whole = || vec![[0.0, end]];
-        Self { resolved: whole(), separate: whole(), loaded: whole(), between: Vec::new() }
-    }
-
-    /// The same under several punches, between which no interval goes on.
-    fn under(self, between: Vec<f64>) -> Self {
-        let split = |all: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
-            let of = |[from, to]: [f64; 2]| {
-                let inside = between.iter().copied().filter(move |x| from < *x && *x < to);
-                let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
-                (1..ends.len()).map(move |k| [ends[k - 1], ends[k]])
-            };
-            all.into_iter().flat_map(of).collect()
-        };
-        let [resolved, separate, loaded] = [self.resolved, self.separate, self.loaded].map(split);
-        Self { resolved, separate, loaded, between }
-    }
-
-    /// The number of the punch that presses on an interval, from the left.
-    pub(super) fn punch(&self, [from, to]: [f64; 2]) -> usize {
-        self.between.partition_point(|between| *between < 0.5 * (from + to))
-    }
-
-    /// Where the innermost interval ends.
-    pub(super) fn end(&self) -> f64 {
-        self.resolved.first().map_or(0.0, |part| part[1])
-    }
-
-    /// All intervals: the resolved ones where there are several, else all.
-    pub(super) fn intervals(&self) -> &[[f64; 2]] {
-        if self.resolved.len() > 1 { &self.resolved } else { &self.separate }
-    }
-
-    /// The first of them, and from where to where bodies touch farther out.
-    pub(super) fn merged(&self) -> Vec<[f64; 2]> {
-        match self.intervals() {
-            [first, second, .., last] => vec![*first, [second[0], last[1]]],
-            intervals => intervals.to_vec(),
-        }
-    }
-}
-
 /// The programme on one grid: which elements of each contact touch, and the forces on them.
 struct Cycle {
     grid: Grid,
@@ -131,37 +74,28 @@ struct Cycle {
     rotations: Vec<(f64, Vec<(usize, f64)>)>,
 }
 
-impl Cycle {
-    fn active(&self) -> Vec<ActiveIntervals> {
-        let active = |(touching, forces): (&Vec<bool>, &Vec<f64>)| {
-            let mut loaded = touching.clone();
-            separate_where_grazing(&mut loaded, forces, &self.grid);
-            ActiveIntervals {
-                resolved: parts(&resolved_only(touching, self.grid.patch()), &self.grid),
-                separate: parts(touching, &self.grid),
-                loaded: parts(&loaded, &self.grid),
-                between: Vec::new(),
-            }
-        };
-        self.solved.touching.iter().zip(&self.solved.forces).map(active).collect()
-    }
-}
-
-/// Where all contacts touch, from the top down; `expected` is where contacts are expected, to make a grid for, and
+/// Where all contacts touch, in one interval or in several, none further than the end of the grid; `expected` is where contacts are expected, to make a grid for, and
 /// the grid reaches well beyond the distance `far` from x = 0. `None` if the programme has no solution in double precision.
-pub(super) fn active(problem: &Problem, expected: &[Expected], far: f64) -> Option<Vec<ActiveIntervals>> {
-    active_on(problem, expected, cycles(problem, expected, far, COARSE).last()?)
+pub(super) fn touching(problem: &Problem, expected: &[Expected], far: f64) -> Option<Vec<Expected>> {
+    Some(touching_on(problem, expected, cycles(problem, expected, far, COARSE).last()?))
 }
 
-/// The same on one grid.
-fn active_on(problem: &Problem, expected: &[Expected], cycle: &Cycle) -> Option<Vec<ActiveIntervals>> {
-    let mut found = cycle.active().into_iter();
-    let of = |side: &Side| match side {
-        Side::Known(given) => Some(ActiveIntervals::one(given.half_length)),
-        Side::Punches(_) => found.next().map(|own| own.under(between(expected))),
-        _ => found.next(),
-    };
-    problem.sides.iter().map(of).collect()
+/// The same on one grid; under several punches no interval goes on from one to the next.
+fn touching_on(problem: &Problem, expected: &[Expected], cycle: &Cycle) -> Vec<Expected> {
+    let Cycle { grid, solved, .. } = cycle;
+    let mut found = Vec::new();
+    for (contact, touching) in problem.unknown().zip(&solved.touching) {
+        let between = if problem.groups(contact).len() > 1 { between(expected) } else { Vec::new() };
+        for [from, to] in parts(touching, grid) {
+            let inside = between.iter().copied().filter(|x| from < *x && *x < to);
+            let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+            found.extend(ends.windows(2).map(|pair| {
+                let punch = between.partition_point(|between| *between < 0.5 * (pair[0] + pair[1]));
+                Expected { contact, punch, ends: [pair[0], pair[1]] }
+            }));
+        }
+    }
+    found
 }
 
 /// Places in the middle between contacts that are expected under punches next to each other.
@@ -295,26 +229,6 @@ fn dips(touching: &[bool], forces: &[f64], grid: &Grid) -> Vec<usize> {
         dips.extend(least.filter(|(_, depth)| *depth < 0.5).into_iter().flat_map(|(e, _)| [e, e + 1]));
     }
     dips
-}
-
-/// The same without intervals and gaps of a few elements.
-fn resolved_only(touching: &[bool], patch: Patch) -> Vec<bool> {
-    let mut resolved = touching.to_vec();
-    for wanted in [true, false] {
-        let mut start = 0;
-        while start < resolved.len() {
-            let length = resolved[start..].iter().take_while(|touches| **touches == resolved[start]).count();
-            // one about the middle of what is even is longer than it seems
-            let inside = start + length < resolved.len() && !(wanted && start == 0 && patch != Patch::Strip);
-            if resolved[start] == wanted && length <= UNRESOLVED && inside {
-                resolved[start..start + length].fill(!wanted);
-                start = 0;
-            } else {
-                start += length;
-            }
-        }
-    }
-    resolved
 }
 
 /// Intervals of elements that touch; gaps that are short against what lies outside them are rounding.

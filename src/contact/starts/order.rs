@@ -31,14 +31,12 @@ pub(crate) fn solve_in_order(
     let mut solve = |list: Intervals, refused: &mut Refused| intervals::solve(problem, list, refused, &mut work);
     let mut solved = first.and_then(|list| solve(list, refused));
     if solved.is_none() {
-        let lists = match problem.prescribed {
-            Some(_) => under_expected_force(problem).into_iter().collect(),
-            None => {
-                let active = programme::active(problem, &expected, refused.far);
-                intervals::of_programme(problem, &active.unwrap_or_default())
-            }
+        let second = match problem.prescribed {
+            Some(_) => under_expected_force(problem),
+            None => programme::touching(problem, &expected, refused.far)
+                .and_then(|touching| intervals::of_formulas(problem, &touching)),
         };
-        solved = lists.into_iter().find_map(|list| solve(list, refused));
+        solved = second.and_then(|list| solve(list, refused));
     }
     let refuse = || refused.reason.clone().unwrap_or_else(|| NoSolution::NotConverged.into());
     solved.ok_or_else(refuse).and_then(|answer| on_punches(problem, answer))
