@@ -89,12 +89,8 @@ impl Load {
 
     /// Whether the pressure is known in a geometry: about an axis a ring that is not too narrow, in the plane all but rings.
     pub(super) fn is_known_in(&self, geometry: Geometry) -> bool {
-        match self {
-            Self::Ring { radius, half_width } => {
-                geometry.is_axisymmetric() && half_width.get() >= NARROWEST * radius.get()
-            }
-            _ => true,
-        }
+        let Self::Ring { radius, half_width } = self else { return true };
+        geometry.is_axisymmetric() && half_width.get() >= NARROWEST * radius.get()
     }
 
     /// Half-width of the loaded part of the face, in length: 0 of a line load, the outer radius of a ring.
@@ -110,10 +106,8 @@ impl Load {
 
     /// Radius of the hole in a ring, in length; 0 of all other loads.
     pub(crate) fn hole(&self) -> f64 {
-        match self {
-            Self::Ring { radius, half_width } => (radius.get() - half_width.get()).max(0.0),
-            _ => 0.0,
-        }
+        let Self::Ring { radius, half_width } = self else { return 0.0 };
+        (radius.get() - half_width.get()).max(0.0)
     }
 }
 
