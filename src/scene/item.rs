@@ -62,10 +62,7 @@ impl Item {
 
     /// The layer that it is, if it is one.
     pub(crate) fn elastic(&self) -> Option<&Arc<dyn Layer>> {
-        match self {
-            Self::Layer(layer) => Some(layer),
-            _ => None,
-        }
+        if let Self::Layer(layer) = self { Some(layer) } else { None }
     }
 
     /// Whether the item is an interface, which joins or divides layers.
@@ -98,14 +95,18 @@ impl Item {
         Self::plain_items().into_iter().map(|(item, _)| item).find(|item| item.name() == name)
     }
 
-    /// The items that are no layers, interfaces first.
-    pub(super) fn forms() -> (Vec<Form>, Form) {
-        let form =
-            |name: &str, meaning: &str, value| Form { name: name.to_owned(), meaning: meaning.to_owned(), value };
-        let plain = Self::plain_items().map(|(item, meaning)| form(item.name(), meaning, None));
-        let [bonded, sliding, receding, rigid] = plain;
+    /// The items that are no layers: interfaces, with springs as the last of them, and the rigid base.
+    pub(super) fn forms() -> Vec<Form> {
         let meaning = "Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u].";
-        (vec![bonded, sliding, receding, form(SPRING, meaning, Some(Value::of::<Spring>()))], rigid)
+        let [bonded, sliding, receding, rigid] =
+            Self::plain_items().map(|(item, meaning)| (item.name(), meaning, None));
+        let all = [bonded, sliding, receding, (SPRING, meaning, Some(Value::of::<Spring>())), rigid];
+        let form = |(name, meaning, value): (&str, &str, _)| Form {
+            name: name.to_owned(),
+            meaning: meaning.to_owned(),
+            value,
+        };
+        all.map(form).to_vec()
     }
 
     /// All names that may stand in a stack.

@@ -1,6 +1,6 @@
 //! A scene as JSON, to be read again, and the JSON Schema of all scenes.
 use recede_layers::Registry;
-use recede_layers::description::{schema_of, without_ranges};
+use recede_layers::description::{Form, schema_of, without_ranges};
 use recede_layers::tree::{Kind, Node};
 use serde_json::{Value, json};
 
@@ -54,12 +54,10 @@ fn value(node: &Node) -> Value {
 /// assert_eq!(schema["properties"]["geometry"]["oneOf"][0]["const"], "PlaneStrain");
 /// ```
 pub fn scene_schema(registry: &Registry) -> Value {
-    let (interfaces, rigid) = Item::forms();
-    let plain = interfaces.iter().chain([&rigid]).filter(|form| form.value.is_none());
-    let names = plain.map(|form| json!({"const": form.name, "description": form.meaning}));
+    let (plain, springs): (Vec<Form>, Vec<Form>) = Item::forms().into_iter().partition(|form| form.value.is_none());
+    let names = plain.iter().map(|form| json!({"const": form.name, "description": form.meaning}));
     let item = |name: &str, meaning: &str, inner: Value| json!({"type": "object", "description": meaning, "properties": {name: inner}, "required": [name], "additionalProperties": false});
-    let springs = interfaces.iter().filter(|form| form.value.is_some());
-    let springs = springs.map(|form| item(&form.name, &form.meaning, schema_of::<Spring>().to_value()));
+    let springs = springs.iter().map(|form| item(&form.name, &form.meaning, schema_of::<Spring>().to_value()));
     let layers = registry.iter().map(|entry| {
         let fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
         item(entry.name, entry.summary, fields)

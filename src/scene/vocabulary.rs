@@ -52,8 +52,9 @@ impl Vocabulary {
             _ => false,
         };
         let (mut bases, layers): (Vec<Form>, Vec<Form>) = registered.partition(is_base);
-        let (interfaces, rigid) = Item::forms();
-        bases.push(rigid);
+        let mut interfaces = Item::forms();
+        // the last is the rigid base
+        bases.extend(interfaces.pop());
         Self {
             scene: if let Value::Fields(fields) = Value::of::<Draft>() { fields } else { Vec::new() },
             punches: alternatives(Value::of::<Punch>()),
