@@ -7,10 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use super::text::written;
 use super::value::ValueError;
-use crate::geometry::Geometry;
-
-/// Narrowest half-width of a ring in terms of its radius: as the difference of two discs it has so many digits less.
-const NARROWEST: f64 = 1e-4;
 
 /// A pressure on the top face that is given, symmetric about its middle, with the force as its resultant; [`Loads`](super::Loads) say where.
 ///
@@ -85,12 +81,6 @@ impl Load {
             radius: ValueError::checked("radius", radius)?,
             half_width: ValueError::checked("half_width", half_width)?,
         })
-    }
-
-    /// Whether the pressure is known in a geometry: about an axis a ring that is not too narrow, in the plane all but rings.
-    pub(super) fn is_known_in(&self, geometry: Geometry) -> bool {
-        let Self::Ring { radius, half_width } = self else { return true };
-        geometry.is_axisymmetric() && half_width.get() >= NARROWEST * radius.get()
     }
 
     /// Half-width of the loaded part of the face, in length: 0 of a line load, the outer radius of a ring.

@@ -9,6 +9,9 @@ use super::text::written;
 use super::value::{ListError, ValueError, check_list};
 use crate::geometry::Geometry;
 
+/// Narrowest half-width of a ring in terms of its radius: as the difference of two discs it has so many digits less.
+const NARROWEST: f64 = 1e-4;
+
 /// Loads that press on the top face at once, each anywhere on x. They may overlap.
 ///
 /// Pressed with a force that is not [`Self::force`], each has its part of it in the ratio of the forces here.
@@ -98,10 +101,15 @@ impl Loads {
         is_even.then_some(centre)
     }
 
-    /// Whether the pressures are known in a geometry: about an axis every load is in the middle.
+    /// Whether the pressures are known in a geometry: about an axis every load is in the middle, and no ring is too narrow; in the plane
+    /// there are no rings.
     pub(crate) fn are_known_in(&self, geometry: Geometry) -> bool {
-        let is_there = |placed: &PlacedLoad| !geometry.is_axisymmetric() || placed.at.get() == 0.0;
-        self.0.iter().all(|placed| placed.load.is_known_in(geometry) && is_there(placed))
+        let is_round = geometry.is_axisymmetric();
+        self.0.iter().all(|PlacedLoad { load, at, .. }| match load {
+            _ if is_round && at.get() != 0.0 => false,
+            Load::Ring { radius, half_width } => is_round && half_width.get() >= NARROWEST * radius.get(),
+            _ => true,
+        })
     }
 }
 
