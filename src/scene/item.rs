@@ -2,9 +2,12 @@
 use std::sync::Arc;
 
 use recede_layers::description::{Form, Value};
-use recede_layers::{Body, Layer, Registry, Support};
+use recede_layers::{Body, Layer, Positive, Registry, Support};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
-use super::Spring;
+use super::text::written;
+use super::value::ValueError;
 
 /// The one interface that has fields.
 pub(super) const SPRING: &str = "Spring";
@@ -26,6 +29,47 @@ pub enum Item {
     Receding,
     /// Rigid base at the bottom.
     Rigid,
+}
+
+/// Springs that join two layers, in both directions: they neither open nor slide freely.
+///
+/// ```
+/// use recede::Spring;
+/// let glue = Spring::new(100.0, Some(40.0))?;
+/// assert_eq!((glue.normal(), glue.tangential()), (100.0, 40.0));
+/// assert_eq!(Spring::new(100.0, None)?.tangential(), 0.0);
+/// assert!(Spring::new(0.0, None).is_err());
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// Stress σ_yy per length by which the layers separate.
+    normal: Positive,
+    /// Stress σ_xy per length by which the layers slide on each other; none if it is not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    tangential: Option<Positive>,
+}
+
+impl Spring {
+    /// Springs of this normal and, if there is one, tangential stiffness, both > 0, in stress per length.
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if a stiffness is not positive and finite.
+    pub fn new(normal: f64, tangential: Option<f64>) -> Result<Self, ValueError> {
+        let tangential = tangential.map(|stiffness| ValueError::checked("tangential", stiffness)).transpose()?;
+        Ok(Self { normal: ValueError::checked("normal", normal)?, tangential })
+    }
+
+    /// Normal stiffness, in stress per length.
+    pub fn normal(&self) -> f64 {
+        self.normal.get()
+    }
+
+    /// Tangential stiffness, in stress per length; 0 if there is none.
+    pub fn tangential(&self) -> f64 {
+        self.tangential.map_or(0.0, Positive::get)
+    }
 }
 
 impl Item {
@@ -70,13 +114,13 @@ impl Item {
         matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_) | Self::Receding)
     }
 
-    /// The parameters behind the name, without their parentheses; `None` if there are none.
-    pub(super) fn parameters(&self) -> Option<String> {
+    /// The item as it is written in a scene.
+    pub(super) fn written(&self) -> String {
         match self {
-            Self::Layer(layer) => Some(layer.notation().parameters),
-            Self::Support(support) => Some(support.notation().parameters),
-            Self::Spring(spring) => Some(spring.parameters()),
-            Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => None,
+            Self::Layer(layer) => layer.notation().to_string(),
+            Self::Support(support) => support.notation().to_string(),
+            Self::Spring(spring) => format!("{SPRING}{}", written(spring)),
+            Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => self.name().to_owned(),
         }
     }
 
