@@ -16,8 +16,7 @@ enum Destination {
     /// A regular file, which need not exist.
     File(PathBuf),
     /// A descriptor of this process: standard output, or standard error.
-    Output,
-    Error,
+    Standard(Box<dyn Write + Send>),
     /// A pipe, a device, a folder, or another descriptor.
     Other(PathBuf),
 }
@@ -43,8 +42,7 @@ impl Destination {
     fn stream(self) -> io::Result<Option<Box<dyn Write + Send>>> {
         Ok(match self {
             Self::File(_) => None,
-            Self::Output => Some(Box::new(io::stdout())),
-            Self::Error => Some(Box::new(io::stderr())),
+            Self::Standard(stream) => Some(stream),
             // a descriptor may belong to a file in which something stands already
             Self::Other(path) => Some(Box::new(OpenOptions::new().append(true).open(path)?)),
         })
@@ -60,8 +58,8 @@ fn descriptor(path: &Path) -> Option<Destination> {
     }
     let is_own = folder.starts_with("/dev") || folder.starts_with(own);
     Some(match path.file_name()?.to_str()? {
-        "1" if is_own => Destination::Output,
-        "2" if is_own => Destination::Error,
+        "1" if is_own => Destination::Standard(Box::new(io::stdout())),
+        "2" if is_own => Destination::Standard(Box::new(io::stderr())),
         _ => Destination::Other(path.to_owned()),
     })
 }
@@ -151,10 +149,10 @@ fn inherit(file: &File, old: &Metadata) -> io::Result<()> {
 /// # Errors
 /// Those of the file system, [`ErrorKind::AlreadyExists`] if there is such a file.
 pub fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    match Destination::of(path)? {
-        Destination::File(path) => OpenOptions::new().write(true).create_new(true).open(path)?.write_all(bytes),
-        other => other.stream()?.map_or(Ok(()), |mut stream| stream.write_all(bytes).and_then(|()| stream.flush())),
+    if let Destination::File(path) = Destination::of(path)? {
+        return OpenOptions::new().write(true).create_new(true).open(path)?.write_all(bytes);
     }
+    replace(path, |out| out.write_all(bytes))
 }
 
 /// Whether a path leads to something else than a regular file, such as a pipe, a device or `/dev/stdout`: its name says

@@ -36,10 +36,7 @@ impl From<f64> for Force {
 impl Force {
     /// The force, if it is given.
     pub fn given(self) -> Option<f64> {
-        match self {
-            Self::Given(force) => Some(force),
-            Self::ForHalfLength(_) | Self::ForDepth(_) => None,
-        }
+        if let Self::Given(force) = self { Some(force) } else { None }
     }
 
     /// The name of the field of a scene that says it, and its number.

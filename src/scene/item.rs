@@ -2,9 +2,12 @@
 use std::sync::Arc;
 
 use recede_layers::description::{Form, Value};
-use recede_layers::{Body, Layer, Registry, Support};
+use recede_layers::{Body, Layer, Positive, Registry, Support};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
-use super::Spring;
+use super::text::written;
+use super::value::ValueError;
 
 /// The one interface that has fields.
 pub(super) const SPRING: &str = "Spring";
@@ -26,6 +29,47 @@ pub enum Item {
     Receding,
     /// Rigid base at the bottom.
     Rigid,
+}
+
+/// Springs that join two layers, in both directions: they neither open nor slide freely.
+///
+/// ```
+/// use recede::Spring;
+/// let glue = Spring::new(100.0, Some(40.0))?;
+/// assert_eq!((glue.normal(), glue.tangential()), (100.0, 40.0));
+/// assert_eq!(Spring::new(100.0, None)?.tangential(), 0.0);
+/// assert!(Spring::new(0.0, None).is_err());
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Spring {
+    /// Stress σ_yy per length by which the layers separate.
+    normal: Positive,
+    /// Stress σ_xy per length by which the layers slide on each other; none if it is not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    tangential: Option<Positive>,
+}
+
+impl Spring {
+    /// Springs of this normal and, if there is one, tangential stiffness, both > 0, in stress per length.
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if a stiffness is not positive and finite.
+    pub fn new(normal: f64, tangential: Option<f64>) -> Result<Self, ValueError> {
+        let tangential = tangential.map(|stiffness| ValueError::checked("tangential", stiffness)).transpose()?;
+        Ok(Self { normal: ValueError::checked("normal", normal)?, tangential })
+    }
+
+    /// Normal stiffness, in stress per length.
+    pub fn normal(&self) -> f64 {
+        self.normal.get()
+    }
+
+    /// Tangential stiffness, in stress per length; 0 if there is none.
+    pub fn tangential(&self) -> f64 {
+        self.tangential.map_or(0.0, Positive::get)
+    }
 }
 
 impl Item {
@@ -62,10 +106,7 @@ impl Item {
 
     /// The layer that it is, if it is one.
     pub(crate) fn elastic(&self) -> Option<&Arc<dyn Layer>> {
-        match self {
-            Self::Layer(layer) => Some(layer),
-            _ => None,
-        }
+        if let Self::Layer(layer) = self { Some(layer) } else { None }
     }
 
     /// Whether the item is an interface, which joins or divides layers.
@@ -73,13 +114,13 @@ impl Item {
         matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_) | Self::Receding)
     }
 
-    /// The parameters behind the name, without their parentheses; `None` if there are none.
-    pub(super) fn parameters(&self) -> Option<String> {
+    /// The item as it is written in a scene.
+    pub(super) fn written(&self) -> String {
         match self {
-            Self::Layer(layer) => Some(layer.notation().parameters),
-            Self::Support(support) => Some(support.notation().parameters),
-            Self::Spring(spring) => Some(spring.parameters()),
-            Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => None,
+            Self::Layer(layer) => layer.notation().to_string(),
+            Self::Support(support) => support.notation().to_string(),
+            Self::Spring(spring) => format!("{SPRING}{}", written(spring)),
+            Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => self.name().to_owned(),
         }
     }
 
@@ -98,14 +139,18 @@ impl Item {
         Self::plain_items().into_iter().map(|(item, _)| item).find(|item| item.name() == name)
     }
 
-    /// The items that are no layers, interfaces first.
-    pub(super) fn forms() -> (Vec<Form>, Form) {
-        let form =
-            |name: &str, meaning: &str, value| Form { name: name.to_owned(), meaning: meaning.to_owned(), value };
-        let plain = Self::plain_items().map(|(item, meaning)| form(item.name(), meaning, None));
-        let [bonded, sliding, receding, rigid] = plain;
+    /// The items that are no layers: interfaces, with springs as the last of them, and the rigid base.
+    pub(super) fn forms() -> Vec<Form> {
         let meaning = "Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u].";
-        (vec![bonded, sliding, receding, form(SPRING, meaning, Some(Value::of::<Spring>()))], rigid)
+        let [bonded, sliding, receding, rigid] =
+            Self::plain_items().map(|(item, meaning)| (item.name(), meaning, None));
+        let all = [bonded, sliding, receding, (SPRING, meaning, Some(Value::of::<Spring>())), rigid];
+        let form = |(name, meaning, value): (&str, &str, _)| Form {
+            name: name.to_owned(),
+            meaning: meaning.to_owned(),
+            value,
+        };
+        all.map(form).to_vec()
     }
 
     /// All names that may stand in a stack.

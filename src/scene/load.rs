@@ -7,10 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use super::text::written;
 use super::value::ValueError;
-use crate::geometry::Geometry;
-
-/// Narrowest half-width of a ring in terms of its radius: as the difference of two discs it has so many digits less.
-const NARROWEST: f64 = 1e-4;
 
 /// A pressure on the top face that is given, symmetric about its middle, with the force as its resultant; [`Loads`](super::Loads) say where.
 ///
@@ -87,16 +83,6 @@ impl Load {
         })
     }
 
-    /// Whether the pressure is known in a geometry: about an axis a ring that is not too narrow, in the plane all but rings.
-    pub(super) fn is_known_in(&self, geometry: Geometry) -> bool {
-        match self {
-            Self::Ring { radius, half_width } => {
-                geometry.is_axisymmetric() && half_width.get() >= NARROWEST * radius.get()
-            }
-            _ => true,
-        }
-    }
-
     /// Half-width of the loaded part of the face, in length: 0 of a line load, the outer radius of a ring.
     pub fn half_width(&self) -> f64 {
         match self {
@@ -110,10 +96,8 @@ impl Load {
 
     /// Radius of the hole in a ring, in length; 0 of all other loads.
     pub(crate) fn hole(&self) -> f64 {
-        match self {
-            Self::Ring { radius, half_width } => (radius.get() - half_width.get()).max(0.0),
-            _ => 0.0,
-        }
+        let Self::Ring { radius, half_width } = self else { return 0.0 };
+        (radius.get() - half_width.get()).max(0.0)
     }
 }
 

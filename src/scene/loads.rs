@@ -6,8 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::load::Load;
 use super::text::written;
-use super::value::{ListError, ValueError, check_list, scaled};
+use super::value::{ListError, ValueError, check_list};
 use crate::geometry::Geometry;
+
+/// Narrowest half-width of a ring in terms of its radius: as the difference of two discs it has so many digits less.
+const NARROWEST: f64 = 1e-4;
 
 /// Loads that press on the top face at once, each anywhere on x. They may overlap.
 ///
@@ -24,7 +27,7 @@ use crate::geometry::Geometry;
 /// # Ok::<(), recede::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Loads(Vec<PlacedLoad>);
+pub struct Loads(pub(super) Vec<PlacedLoad>);
 
 /// One of several loads.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,7 +38,7 @@ pub struct PlacedLoad {
     /// The place of the middle on x, in length.
     at: Finite,
     /// The resultant, force per unit length out of the plane.
-    force: Positive,
+    pub(super) force: Positive,
 }
 
 impl Loads {
@@ -76,46 +79,37 @@ impl Loads {
         self.parts().fold(0.0, |reach, (load, at, _)| reach.max(at.abs() + load.half_width()))
     }
 
-    /// Where their resultant acts on x, in length.
-    pub(crate) fn middle(&self) -> f64 {
-        self.parts().map(|(_, at, share)| share * at).sum()
-    }
-
     /// Whether the loads are their own mirror image about x = 0, in whatever order they are.
     pub fn is_even(&self) -> bool {
+        self.centre() == Some(0.0)
+    }
+
+    /// The place about which the loads are their own mirror image, in length; `None` if there is none.
+    pub(crate) fn centre(&self) -> Option<f64> {
+        let places = || self.0.iter().map(|placed| placed.at.get());
+        let [left, right] = [f64::min, f64::max].map(|pick| places().reduce(pick).unwrap_or(0.0));
+        // + 0: a load at −0 is at 0
+        let centre = 0.5 * (left + right) + 0.0;
+        let from_centre = |placed: &PlacedLoad| placed.at.get() - centre;
         let mut images: Vec<&PlacedLoad> = self.0.iter().collect();
-        self.0.iter().all(|one| {
+        let is_even = self.0.iter().all(|one| {
             let is_image = |other: &&PlacedLoad| {
-                (other.at.get(), other.force, &other.load) == (-one.at.get(), one.force, &one.load)
+                (from_centre(other), other.force, &other.load) == (-from_centre(one), one.force, &one.load)
             };
             images.iter().position(is_image).map(|place| images.swap_remove(place)).is_some()
-        })
+        });
+        is_even.then_some(centre)
     }
 
-    /// The loads moved to where they are even about x = 0, and the place other than 0 to which they are to be moved back, in length.
-    pub(crate) fn about_its_middle(&self) -> Option<(Self, f64)> {
-        let ends = self.0.iter().map(|placed| placed.at.get());
-        let [left, right] = [f64::min, f64::max].map(|pick| ends.clone().reduce(pick).unwrap_or(0.0));
-        let middle = 0.5 * (left + right);
-        let moved = |placed: &PlacedLoad| {
-            let at = Finite::try_from(placed.at.get() - middle).ok()?;
-            Some(PlacedLoad { at, ..placed.clone() })
-        };
-        let moved = Self(self.0.iter().map(moved).collect::<Option<_>>()?);
-        (middle != 0.0 && moved.is_even()).then_some((moved, middle))
-    }
-
-    /// Whether the pressures are known in a geometry: about an axis every load is in the middle.
+    /// Whether the pressures are known in a geometry: about an axis every load is in the middle, and no ring is too narrow; in the plane
+    /// there are no rings.
     pub(crate) fn are_known_in(&self, geometry: Geometry) -> bool {
-        let is_there = |placed: &PlacedLoad| !geometry.is_axisymmetric() || placed.at.get() == 0.0;
-        self.0.iter().all(|placed| placed.load.is_known_in(geometry) && is_there(placed))
-    }
-
-    /// The same loads with this sum of forces.
-    pub(super) fn with_force(&self, force: f64) -> Self {
-        let factor = force / self.force();
-        let with = |placed: &PlacedLoad| PlacedLoad { force: scaled(placed.force, factor), ..placed.clone() };
-        Self(self.0.iter().map(with).collect())
+        let is_round = geometry.is_axisymmetric();
+        self.0.iter().all(|PlacedLoad { load, at, .. }| match load {
+            _ if is_round && at.get() != 0.0 => false,
+            Load::Ring { radius, half_width } => is_round && half_width.get() >= NARROWEST * radius.get(),
+            _ => true,
+        })
     }
 }
 

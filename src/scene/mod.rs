@@ -5,7 +5,6 @@ mod force;
 mod heights;
 mod hints;
 mod item;
-mod json;
 mod load;
 mod loads;
 mod origin;
@@ -17,7 +16,6 @@ mod read_top;
 mod round;
 mod shape;
 mod spline;
-mod spring;
 mod text;
 mod top;
 mod units;
@@ -35,19 +33,17 @@ use recede_layers::tree::Node;
 pub use elastic_cylinder::ElasticCylinder;
 pub use force::Force;
 pub use heights::HeightsError;
-pub use item::Item;
-pub use json::scene_schema;
+pub use item::{Item, Spring};
 pub use load::Load;
 pub use loads::{Loads, PlacedLoad};
 pub use origin::SceneError;
 pub use punch::Punch;
 pub use punches::{Pressed, Punches, Tilt};
-pub use spring::Spring;
 pub use text::visible;
 pub use top::Top;
 pub use units::Units;
 pub use value::{ListError, ValueError};
-pub use vocabulary::Vocabulary;
+pub use vocabulary::{Vocabulary, scene_schema};
 pub use wedge::Wedge;
 
 pub(crate) use item::quoted_list;
@@ -128,11 +124,9 @@ impl Scene {
 
     /// The title of the scene in a report: its name, or else the name of its file without folder and ending.
     pub fn title(&self) -> &str {
-        match (&self.name, &self.origin) {
+        match (&self.name, self.file()) {
             (Some(name), _) => name,
-            (None, Some(origin)) => {
-                Path::new(&origin.file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(&origin.file)
-            }
+            (None, Some(file)) => Path::new(file).file_stem().and_then(|stem| stem.to_str()).unwrap_or(file),
             (None, None) => "scene",
         }
     }
@@ -154,14 +148,10 @@ impl Scene {
         E: Error + Clone + Send + Sync + 'static,
     {
         let origin = self.origin.as_deref()?;
-        let stack = self.node(Owner::Stack)?;
         // items may have been added or taken away since the text was read
-        let is_known = self.stack.len() == stack.members().len();
-        let node = match part {
-            Owner::Item(_) => self.node(part).filter(|_| is_known).or(Some(stack)),
-            _ => self.node(part),
-        };
-        let error = origin.error(node.map(|node| node.place.start), cause.to_string());
+        let is_known = self.stack.len() == self.node(Owner::Stack)?.members().len();
+        let part = if matches!(part, Owner::Item(_)) && !is_known { Owner::Stack } else { part };
+        let error = origin.error(self.node(part).map(|node| node.place.start), cause.to_string());
         Some(error.hinted(hint).because(cause.clone()))
     }
 }

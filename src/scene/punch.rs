@@ -238,10 +238,7 @@ impl Punch {
 
     /// The material of an elastic punch; `None` if it is rigid.
     pub fn material(&self) -> Option<Isotropic> {
-        match self {
-            Self::ElasticCylinder(cylinder) => Some(cylinder.material()),
-            _ => None,
-        }
+        if let Self::ElasticCylinder(cylinder) = self { Some(cylinder.material()) } else { None }
     }
 
     /// Whether the punch is its own mirror image about x = 0.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 
 use super::punch::Punch;
 use super::text::written;
-use super::value::{ListError, ValueError, check_list, scaled};
+use super::value::{ListError, ValueError, check_list};
 use crate::geometry::Geometry;
 
 /// Punches that press on the top face at once, each anywhere on x, from left to right.
@@ -29,7 +29,7 @@ use crate::geometry::Geometry;
 /// # Ok::<(), recede::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Punches(Vec<Pressed>);
+pub struct Punches(pub(super) Vec<Pressed>);
 
 /// One of several punches.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -40,7 +40,7 @@ pub struct Pressed {
     /// The place of the tip on x, in length.
     at: Finite,
     /// The force on it, per unit length out of the plane.
-    force: Positive,
+    pub(super) force: Positive,
     /// Whether the punch turns.
     #[serde(default, skip_serializing_if = "Tilt::is_none")]
     tilt: Tilt,
@@ -180,11 +180,6 @@ impl Punches {
         self.0.iter().map(move |pressed| (pressed, pressed.force() / force))
     }
 
-    /// The mean place of the tips on x, each with its part of the force, in length.
-    pub(crate) fn middle(&self) -> f64 {
-        self.parts().map(|(pressed, part)| part * pressed.at()).sum()
-    }
-
     /// The punch, if it is one at x = 0 that is not turned.
     pub fn alone(&self) -> Option<&Punch> {
         match &self.0[..] {
@@ -193,21 +188,12 @@ impl Punches {
         }
     }
 
-    /// The punch, if it is an even one by itself that is not turned, and the place of its tip other than x = 0, in length.
-    pub(crate) fn about_its_middle(&self) -> Option<(&Punch, f64)> {
+    /// The punch, if it is an even one by itself that is not turned, wherever its tip is.
+    pub(crate) fn even(&self) -> Option<&Punch> {
         match &self.0[..] {
-            [pressed] if pressed.tilt.angle() == Some(0.0) && pressed.at() != 0.0 && pressed.shape.is_even() => {
-                Some((&pressed.shape, pressed.at()))
-            }
+            [Pressed { shape, tilt, .. }] if tilt.angle() == Some(0.0) && shape.is_even() => Some(shape),
             _ => None,
         }
-    }
-
-    /// The same punches with this sum of forces.
-    pub(super) fn with_force(&self, force: f64) -> Self {
-        let factor = force / self.force();
-        let with = |pressed: &Pressed| Pressed { force: scaled(pressed.force, factor), ..pressed.clone() };
-        Self(self.0.iter().map(with).collect())
     }
 }
 

@@ -210,13 +210,9 @@ fn read_scene(own: Origin) -> Result<Scene, SceneError> {
         let message = format!("the stack has {} items; allowed are at most {MAX_ITEMS}", items.len());
         return Err(origin.error_at(list, message));
     }
-    let mut stack = Vec::with_capacity(items.len());
-    let mut layers = 0;
-    for item in items {
-        let item = read_item(item, layers + 1, origin)?;
-        layers += usize::from(!item.is_interface());
-        stack.push(item);
-    }
+    let mut number = 1;
+    let read = |node| read_item(node, number, origin).inspect(|item| number += usize::from(!item.is_interface()));
+    let stack = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let Draft { name, description, units, geometry, .. } = draft;
     Ok(Scene { name, description, units, geometry, top, force, stack, origin: Some(Arc::new(own)) })
 }

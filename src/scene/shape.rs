@@ -51,6 +51,28 @@ impl Piece {
         [c1 + t * (2.0 * c2 + 3.0 * c3 * t), 2.0 * c2 + 6.0 * c3 * t, 3.0 * c3]
     }
 
+    /// The last place at which the piece falls, by more than rounding does, if it ends there.
+    pub(super) fn last_fall(&self, end: f64) -> Option<f64> {
+        const ROUNDING: f64 = 1e-12;
+        let length = end - self.start;
+        if length.is_infinite() {
+            return None;
+        }
+        // the slope is a parabola
+        let [c1, double, triple] = self.slopes(self.start);
+        let (c2, c3) = (0.5 * double, triple / 3.0);
+        let slope = |t: f64| c1 + t * (2.0 * c2 + t * 3.0 * c3);
+        let zero = -ROUNDING * (c1.abs() + length * (c2.abs() + length * c3.abs()));
+        if slope(length) < zero {
+            return Some(end);
+        }
+        // where it is least, and its root beyond
+        let least = if c3 > 0.0 { (-c2 / (3.0 * c3)).clamp(0.0, length) } else { 0.0 };
+        let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
+        let turn = if c2 > 0.0 { -c1 / (root + c2) } else { (root - c2) / (3.0 * c3) };
+        (slope(least) < zero).then_some(self.start + turn)
+    }
+
     /// The mirror image of the piece about x = 0 if the piece ends there.
     fn mirrored(&self, end: f64) -> Self {
         let [c0, c1, c2, c3] = self.coefficients;
@@ -216,30 +238,6 @@ impl Shape<'_> {
         let after = pieces.partition_point(|piece| piece.start < x || piece.start == x && x >= 0.0);
         let piece = pieces.get(after.saturating_sub(1));
         piece.map_or(0.0, |piece| value(x - piece.about, piece.coefficients))
-    }
-}
-
-impl Piece {
-    /// The last place at which the piece falls, by more than rounding does, if it ends there.
-    pub(super) fn last_fall(&self, end: f64) -> Option<f64> {
-        const ROUNDING: f64 = 1e-12;
-        let length = end - self.start;
-        if length.is_infinite() {
-            return None;
-        }
-        // the slope is a parabola
-        let [c1, double, triple] = self.slopes(self.start);
-        let (c2, c3) = (0.5 * double, triple / 3.0);
-        let slope = |t: f64| c1 + t * (2.0 * c2 + t * 3.0 * c3);
-        let zero = -ROUNDING * (c1.abs() + length * (c2.abs() + length * c3.abs()));
-        if slope(length) < zero {
-            return Some(end);
-        }
-        // where it is least, and its root beyond
-        let least = if c3 > 0.0 { (-c2 / (3.0 * c3)).clamp(0.0, length) } else { 0.0 };
-        let root = (c2 * c2 - 3.0 * c1 * c3).sqrt();
-        let turn = if c2 > 0.0 { -c1 / (root + c2) } else { (root - c2) / (3.0 * c3) };
-        (slope(least) < zero).then_some(self.start + turn)
     }
 }
 

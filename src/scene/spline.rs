@@ -68,25 +68,20 @@ fn hermite(rows: &[(f64, f64)], slopes: &[f64], tip: f64) -> Vec<Piece> {
 
 /// Slopes of the cubic spline through (x, height): one polynomial across the two intervals at an end, from x = 0 on even.
 fn spline(rows: &[(f64, f64)]) -> Vec<f64> {
-    let n = rows.len();
     let side = |pair: &[(f64, f64)]| (pair[1].0 - pair[0].0, (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0));
     // steps and secants
     let sides: Vec<(f64, f64)> = rows.windows(2).map(side).collect();
     // slopes at the rows: a tridiagonal system, (below, diagonal, above, right-hand side)
     let is_even = rows.first().is_none_or(|(x, _)| *x == 0.0);
-    // at an end: the diagonal, the entry beside it and the right-hand side, from the steps and secants of the last interval and of the one before
+    // the row at the left end, from the steps and secants of the last interval and of the one before; at the right end as seen in a mirror
     let at_end = |(h, d): (f64, f64), (inner, secant): (f64, f64)| {
         let both = h + inner;
-        (inner, both, (h * h * secant + (2.0 * both + h) * inner * d) / both)
+        (0.0, inner, both, (h * h * secant + (2.0 * both + h) * inner * d) / both)
     };
     let mut system = vec![match sides[..] {
-        _ if is_even => (0.0, 1.0, 0.0, 0.0),
-        [(h0, d0), (h1, d1)] => (0.0, 1.0, 0.0, d0 - h0 * (d1 - d0) / (h0 + h1)), // a parabola through three points
-        [first, second, ..] => {
-            let (diagonal, beside, known) = at_end(first, second);
-            (0.0, diagonal, beside, known)
-        }
-        _ => (0.0, 1.0, 0.0, sides.first().map_or(0.0, |(_, secant)| *secant)),
+        [(h0, d0), (h1, d1)] if !is_even => (0.0, 1.0, 0.0, d0 - h0 * (d1 - d0) / (h0 + h1)), // a parabola through three points
+        [first, second, ..] if !is_even => at_end(first, second),
+        _ => (0.0, 1.0, 0.0, 0.0),
     }];
     for pair in sides.windows(2) {
         let (before, after) = (pair[0].0.recip(), pair[1].0.recip());
@@ -94,7 +89,7 @@ fn spline(rows: &[(f64, f64)]) -> Vec<f64> {
     }
     system.push(match sides[..] {
         [.., before, last] => {
-            let (diagonal, beside, known) = at_end(last, before);
+            let (_, diagonal, beside, known) = at_end(last, before);
             (beside, diagonal, 0.0, known)
         }
         _ => (0.0, 1.0, 0.0, 2.0 * sides.first().map_or(0.0, |(_, secant)| *secant)),
@@ -109,7 +104,7 @@ fn spline(rows: &[(f64, f64)]) -> Vec<f64> {
     for (i, (_, pivot, above, known)) in system.iter().enumerate().rev() {
         slopes[i] = (known - above * slopes[i + 1]) / pivot;
     }
-    slopes.truncate(n);
+    slopes.pop();
     slopes
 }
 

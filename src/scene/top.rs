@@ -1,7 +1,7 @@
 //! Punches on the top face, or the given pressures in their place.
 use std::fmt;
 
-use recede_layers::Isotropic;
+use recede_layers::{Isotropic, Positive};
 
 use super::load::Load;
 use super::loads::Loads;
@@ -52,25 +52,22 @@ impl Top {
 
     /// The punch, if it is an even one by itself that is not turned, wherever its tip is.
     pub(crate) fn even_punch(&self) -> Option<&Punch> {
-        let punches = self.punches()?;
-        let at_zero = punches.alone().filter(|punch| punch.is_even());
-        at_zero.or_else(|| punches.about_its_middle().map(|(punch, _)| punch))
+        self.punches().and_then(Punches::even)
     }
 
     /// Whether all that presses is its own mirror image about the place where the force acts.
     pub(crate) fn is_even(&self) -> bool {
         match self {
-            Self::Punches(_) => self.even_punch().is_some(),
-            Self::Loads(loads) => loads.is_even() || loads.about_its_middle().is_some(),
+            Self::Punches(punches) => punches.even().is_some(),
+            Self::Loads(loads) => loads.centre().is_some(),
         }
     }
 
-    /// Where the force acts on x, in length; 0 of what is even.
+    /// Where the force acts on x, in length: the centre of even loads, or else the mean of the places, each with its part of the force.
     pub(crate) fn middle(&self) -> f64 {
         match self {
-            Self::Punches(punches) => punches.middle(),
-            Self::Loads(loads) if loads.is_even() => 0.0,
-            Self::Loads(loads) => loads.about_its_middle().map_or_else(|| loads.middle(), |(_, by)| by),
+            Self::Punches(punches) => punches.parts().map(|(pressed, part)| part * pressed.at()).sum(),
+            Self::Loads(loads) => loads.centre().unwrap_or_else(|| loads.parts().map(|(_, at, part)| part * at).sum()),
         }
     }
 
@@ -102,11 +99,17 @@ impl Top {
 
     /// As it is written with this sum of forces in a plane scene; `None` for one punch and one load, which have none of their own.
     pub(super) fn written_with(&self, force: f64) -> Option<String> {
-        let all: Self = match self {
-            Self::Punches(punches) => punches.with_force(force).into(),
-            Self::Loads(loads) => loads.with_force(force).into(),
+        self.listed()?;
+        let (mut all, factor) = (self.clone(), force / self.force());
+        // as far as numbers reach
+        let scale = |own: &mut Positive| {
+            *own = Positive::try_from((factor * own.get()).clamp(f64::MIN_POSITIVE, f64::MAX)).unwrap_or(*own);
         };
-        self.listed().map(|_| all.to_string())
+        match &mut all {
+            Self::Punches(Punches(list)) => list.iter_mut().for_each(|pressed| scale(&mut pressed.force)),
+            Self::Loads(Loads(list)) => list.iter_mut().for_each(|placed| scale(&mut placed.force)),
+        }
+        Some(all.to_string())
     }
 
     /// The name of a contact of the stack below: `load` in place of `punch` under loads.

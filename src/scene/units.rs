@@ -47,9 +47,9 @@ impl Dimension {
         })
     }
 
-    /// The name of the dimension, with an example of a number with a unit.
-    fn name(self) -> (&'static str, &'static str) {
-        match self {
+    /// The name of the dimension, if it has one, with an example of a number with a unit.
+    fn name(self) -> Option<(&'static str, &'static str)> {
+        Some(match self {
             Self::NUMBER => ("a number without unit", "0.3"),
             Self::LENGTH => ("a length", "\"12.5 um\""),
             Self::PER_LENGTH => ("a number per length", "\"0.5 1/mm\""),
@@ -58,8 +58,8 @@ impl Dimension {
             Self::LINE_LOAD => ("a force per length", "\"13 N/mm\""),
             Self::ANGLE => ("an angle", "\"70.3 deg\""),
             Self::STRESS_PER_LENGTH => ("a stress per length", "\"2 MPa/mm\""),
-            _ => ("something else", "\"1 mm\""),
-        }
+            _ => return None,
+        })
     }
 }
 
@@ -256,7 +256,7 @@ fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> 
     if number.parse::<f64>().is_err() || name.is_empty() {
         return Ok(None);
     }
-    let (allowed, example) = expected.map_or(("a number with a unit", "\"12.5 um\""), Dimension::name);
+    let (allowed, example) = expected.and_then(Dimension::name).unwrap_or(("a number with a unit", "\"12.5 um\""));
     let Some(unit) = Unit::read(name) else {
         let known = Unit::known().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
         return Err((
@@ -265,10 +265,7 @@ fn converted(text: &str, expected: Option<Dimension>, units: Option<&Units>) -> 
         ));
     };
     if expected.is_some_and(|expected| expected != unit.dimension) {
-        let found = match unit.dimension.name() {
-            ("something else", _) => format!("in {name}"),
-            (found, _) => found.to_owned(),
-        };
+        let found = unit.dimension.name().map_or_else(|| format!("in {name}"), |(found, _)| found.to_owned());
         let message = format!("`\"{text}\"` is {found}; allowed is {allowed}, such as {example}");
         let hint = match expected {
             Some(Dimension::NUMBER) => "it has no unit: write the number alone, without quotes",

@@ -1,5 +1,5 @@
 //! Why a punch, a load, a force or a spring cannot be made of some numbers.
-use recede_layers::{LayerError, OutOfRange, Positive};
+use recede_layers::{LayerError, OutOfRange};
 
 use super::HeightsError;
 
@@ -100,9 +100,4 @@ pub(super) fn check_list(what: &'static str, found: usize, force: f64) -> Result
         1..=MOST_AT_ONCE => Err(ListError::Sum(what)),
         _ => Err(ListError::Count { what, found }),
     }
-}
-
-/// A force times a factor, as far as numbers reach.
-pub(super) fn scaled(force: Positive, factor: f64) -> Positive {
-    Positive::try_from((factor * force.get()).clamp(f64::MIN_POSITIVE, f64::MAX)).unwrap_or(force)
 }

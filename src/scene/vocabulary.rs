@@ -1,10 +1,12 @@
 //! All that may be written in a scene, from the definitions that read it.
 use recede_layers::Registry;
-use recede_layers::description::{Field, Form, Value};
+use recede_layers::description::{Field, Form, Value, schema_of, without_ranges};
+use serde_json::{Value as Json, json};
 
 use super::read::Draft;
+use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
-use super::{Item, Load, Punch};
+use super::{Item, Load, Punch, Spring};
 
 /// The field that a layer has and a base has not.
 const THICKNESS: &str = "thickness";
@@ -52,8 +54,9 @@ impl Vocabulary {
             _ => false,
         };
         let (mut bases, layers): (Vec<Form>, Vec<Form>) = registered.partition(is_base);
-        let (interfaces, rigid) = Item::forms();
-        bases.push(rigid);
+        let mut interfaces = Item::forms();
+        // the last is the rigid base
+        bases.extend(interfaces.pop());
         Self {
             scene: if let Value::Fields(fields) = Value::of::<Draft>() { fields } else { Vec::new() },
             punches: alternatives(Value::of::<Punch>()),
@@ -70,4 +73,40 @@ impl Vocabulary {
 /// What stands in place of a value of several forms.
 fn alternatives(value: Value) -> Vec<Form> {
     if let Value::OneOf(forms) = value { forms } else { Vec::new() }
+}
+
+/// The JSON Schema of scenes with the layers of `registry`, for editors and for programs that write scenes.
+///
+/// ```
+/// use recede::{Registry, scene_schema};
+/// let schema = scene_schema(&Registry::default());
+/// assert_eq!(schema["properties"]["geometry"]["oneOf"][0]["const"], "PlaneStrain");
+/// ```
+pub fn scene_schema(registry: &Registry) -> Json {
+    let (plain, springs): (Vec<Form>, Vec<Form>) = Item::forms().into_iter().partition(|form| form.value.is_none());
+    let names = plain.iter().map(|form| json!({"const": form.name, "description": form.meaning}));
+    let item = |name: &str, meaning: &str, inner: Json| json!({"type": "object", "description": meaning, "properties": {name: inner}, "required": [name], "additionalProperties": false});
+    let springs = springs.iter().map(|form| item(&form.name, &form.meaning, schema_of::<Spring>().to_value()));
+    let layers = registry.iter().map(|entry| {
+        let fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
+        item(entry.name, entry.summary, fields)
+    });
+    let mut schema = schema_of::<Draft>().to_value();
+    // about the axis punches and loads have other names
+    let (punch, load) = (schema_of::<RoundPunch>().to_value(), schema_of::<RoundLoad>().to_value());
+    let round =
+        json!({"punch": punch, "punches": false, "load": load, "loads": false, "geometry": {"enum": ["Axisymmetric"]}});
+    let mut plane = json!({});
+    for field in TOPS {
+        plane[field] = schema["properties"][field].take();
+        schema["properties"][field] = json!({});
+    }
+    plane["geometry"] = json!({"enum": ["PlaneStrain", "PlaneStress"]});
+    schema["anyOf"] = json!([{"properties": plane}, {"properties": round}]);
+    schema["properties"]["stack"]["type"] = "array".into();
+    schema["properties"]["stack"]["items"] = json!({"oneOf": layers.chain(springs).chain(names).collect::<Vec<_>>()});
+    // a scene may name its schema, for editors
+    schema["properties"]["$schema"] = json!({"type": "string"});
+    without_ranges(&mut schema);
+    schema
 }

@@ -1,8 +1,11 @@
 //! A scene as text, to be read again.
 use std::fmt::Write;
 
+use recede_layers::tree::{Kind, Node};
+use serde_json::{Value, json};
+
 use super::Scene;
-use super::text::quoted;
+use super::text::{quoted, visible_json};
 
 impl Scene {
     /// The scene in RON, with all digits: [`Scene::from_ron`] reads the same scene from it.
@@ -41,9 +44,43 @@ impl Scene {
         }
         text += "    stack: [\n";
         for item in &self.stack {
-            let parameters = item.parameters().map_or(String::new(), |parameters| format!("({parameters})"));
-            let _ = writeln!(text, "        {}{parameters},", item.name());
+            let _ = writeln!(text, "        {},", item.written());
         }
         text + "    ],\n)\n"
+    }
+
+    /// The scene in JSON, with the same names as in RON and with all digits: [`Scene::from_json`] reads the same scene from
+    /// it. `Homogeneous(thickness: 1.0, ...)` is `{"Homogeneous": {"thickness": 1.0, ...}}`, `Receding` is `"Receding"`.
+    ///
+    /// ```
+    /// use recede::Scene;
+    /// let scene = Scene::read("examples/scenes/two_strips.ron")?;
+    /// let again = Scene::from_json(&scene.to_json())?;
+    /// assert_eq!(again.to_ron(), scene.to_ron());
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn to_json(&self) -> String {
+        // the name of a scene is not needed, as there is nothing else
+        let scene =
+            Node::from_ron(self.to_ron().trim_start_matches("Scene")).map_or(Value::Null, |scene| value(&scene));
+        visible_json(&format!("{scene:#}\n"))
+    }
+}
+
+/// A value as JSON.
+fn value(node: &Node) -> Value {
+    let inner = match &node.kind {
+        Kind::Nothing => Value::Null,
+        Kind::Number(number) => json!(number),
+        Kind::Text(text) => json!(text),
+        Kind::Row(members) if node.name.is_some() && members.len() == 1 => value(&members[0]),
+        Kind::List(members) | Kind::Row(members) => members.iter().map(value).collect(),
+        Kind::Fields(fields) => fields.iter().map(|field| (field.name.to_string(), value(&field.value))).collect(),
+    };
+    match (node.name.as_deref(), &node.kind) {
+        (None, _) => inner,
+        (Some(name @ ("true" | "false")), Kind::Nothing) => Value::Bool(name == "true"),
+        (Some(name), Kind::Nothing) => Value::String(name.to_owned()),
+        (Some(name), _) => json!({name: inner}),
     }
 }

@@ -78,10 +78,7 @@ impl CheckedScene {
 impl Outcome {
     /// The answer, if there is one.
     pub fn solution(&self) -> Option<&Solution> {
-        match self {
-            Self::Solved(solution) => Some(solution),
-            _ => None,
-        }
+        if let Self::Solved(solution) = self { Some(solution) } else { None }
     }
 
     /// Whether the outcome must never happen, whatever the scene.

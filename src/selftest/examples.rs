@@ -104,34 +104,33 @@ fn new_number() -> impl Strategy<Value = (f64, f64)> {
 fn changed(scene: &Scene, change: &Structure) -> Result<Scene, Error> {
     let (mut top, mut force, mut items) = (scene.top.clone(), scene.force, scene.stack.clone());
     // layers and interfaces alternate, and the base is the last item
-    let layers = items.len() / 2;
-    let place = |index: &Index| 2 * index.index(layers.max(1));
+    let base = items.len() - 1;
+    // a layer with the interface below it; nothing of a base alone
+    let pair = |index: &Index| {
+        let first = 2 * index.index((base / 2).max(1));
+        first..(first + 2).min(base)
+    };
     match change {
-        Structure::Remove(index) if layers > 0 => drop(items.drain(place(index)..place(index) + 2)),
-        Structure::Double(index) if layers > 0 => {
-            let copy = items[place(index)..place(index) + 2].to_vec();
-            items.splice(place(index)..place(index), copy);
+        Structure::Remove(index) => drop(items.drain(pair(index))),
+        Structure::Double(index) => {
+            let copy = items[pair(index)].to_vec();
+            items.splice(pair(index).start..pair(index).start, copy);
         }
         Structure::Add(other, index, interface) => {
             let others = example(other)?.stack;
             let layer = others[2 * index.index(others.len().div_ceil(2))].clone();
             items.splice(0..0, [layer, interface.clone()]);
         }
-        Structure::Interface(index, interface) if layers > 0 => items[place(index) + 1] = interface.clone(),
-        Structure::Base(other) => {
-            items.pop();
-            items.extend(example(other)?.stack.pop());
+        Structure::Interface(index, interface) => {
+            items[pair(index)].iter_mut().skip(1).for_each(|old| *old = interface.clone());
         }
-        Structure::Rigid => {
-            items.pop();
-            items.push(Item::Rigid);
-        }
+        Structure::Base(other) => drop(items.splice(base.., example(other)?.stack.pop())),
+        Structure::Rigid => items[base] = Item::Rigid,
         Structure::Punch(other) => {
             let other = example(other)?;
             (top, force) = (other.top, other.force);
         }
-        Structure::BaseAlone => drop(items.drain(..items.len() - 1)),
-        Structure::Remove(_) | Structure::Double(_) | Structure::Interface(..) => {}
+        Structure::BaseAlone => drop(items.drain(..base)),
     }
     let written = Scene::new(scene.geometry, top, force, items).to_ron();
     checked(Scene::from_reader("variant", written.as_bytes(), &Registry::default())?)

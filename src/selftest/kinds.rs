@@ -1,4 +1,4 @@
-//! Random scenes with punches, loads, layers, interfaces and bases of all kinds.
+//! Random scenes with punches, loads, layers, interfaces and bases of all kinds, and with several punches at once.
 use proptest::prelude::*;
 use recede_layers::{
     EngineeringConstants, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Orthotropic, Plane, PowerHalfPlane, Profile,
@@ -9,11 +9,13 @@ use super::scenario::{Ply, Scenario, ScenarioUnits};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
 use crate::geometry::Geometry;
-use crate::scene::{Item, Load, Loads, Punch, Scene, Spring, Top, ValueError};
+use crate::scene::{Item, Load, Loads, Pressed, Punch, Punches, Scene, Spring, Tilt, Top, ValueError};
 
 /// In a table the punch ends at this many times the half-length that is aimed at.
 const TABLE_ENDS: f64 = 6.0;
 const ROWS: usize = 16;
+/// Punches at most.
+const MOST: usize = 4;
 
 /// The kinds in place of a parabola, of layers, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
 #[derive(Clone, Debug)]
@@ -60,6 +62,21 @@ pub fn scene_of_any_kind_in_units(
     Ok(Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items))
 }
 
+/// One of the scenes of all kinds, with one to four punches of other kinds in place of what presses there: the same seed and number give the same scene.
+///
+/// # Errors
+/// None in practice.
+pub fn scene_with_punches(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
+    let numbers = prop::array::uniform3(0.0..=1.0f64);
+    let all = prop::collection::vec((0..6usize, 0..3usize, numbers), 1..=MOST);
+    // the stack is the one of the scene of this number
+    let (scenario, drawn) = drawn(&(scenes(ranges), all), seed, number);
+    let scene = scene_of_any_kind(ranges, seed, number)?;
+    let punches = punches(&scenario, &drawn)?;
+    let force = punches.force();
+    Ok(Scene::new(scenario.plane, Top::from(punches), force, scene.stack))
+}
+
 /// The same scene about an axis, with the last of several loads as a ring, and layers and a base of isotropic materials in place of
 /// orthotropic ones, as stiff against shear.
 pub fn about_axis(mut scene: Scene) -> Scene {
@@ -88,7 +105,7 @@ impl Kinds {
     /// A punch of about the curvature of the scenario's, over the contact that this has on a half-plane, or loads.
     fn top(&self, scenario: &Scenario) -> Result<Top, ValueError> {
         let (radius, share) = (scenario.radius, self.share);
-        let width = (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius);
+        let width = contact_width(scenario, radius);
         let height = 0.5 * width * width / radius;
         let punch = match self.punch {
             0 => Punch::wedge(width / radius),
@@ -177,4 +194,40 @@ fn orthotropic(ply: &Ply, power: f64) -> Result<Orthotropic, Error> {
     let young = 2.5 * ply.modulus;
     let constants = EngineeringConstants::new([young * 3f64.powf(power), young, young], [0.2; 3], ply.modulus)?;
     Ok(Orthotropic::new(ply.thickness, constants)?)
+}
+
+/// Of one punch: its kind and tilt, and numbers from 0 to 1 for its size, its distance from the one before, and its angle or the place of its force.
+type Drawn = (usize, usize, [f64; 3]);
+
+/// Punches that are about as wide as the contact of the scenario's on a half-plane, one beside the other.
+fn punches(scenario: &Scenario, drawn: &[Drawn]) -> Result<Punches, ValueError> {
+    let share = scenario.force / drawn.len() as f64;
+    let mut all = Vec::new();
+    let mut at = 0.0;
+    for (kind, tilt, [size, apart, aside]) in drawn {
+        let radius = scenario.radius * (0.5 + size);
+        let width = contact_width(scenario, radius);
+        let (punch, slope) = match kind {
+            0 => (Punch::flat(0.5 * width)?, width / radius),
+            1 => (Punch::wedge(width / radius)?, 0.7 * width / radius),
+            2 => (Punch::uneven_wedge(width / radius, 2.0 * width / radius)?, 0.7 * width / radius),
+            3 => (Punch::rounded_flat(0.5 * width, radius)?, width / radius),
+            4 => (Punch::cylinder(radius)?, width / radius),
+            _ => (Punch::parabola(radius)?, width / radius),
+        };
+        let aside = 2.0 * aside - 1.0;
+        let tilt = match tilt {
+            0 => Tilt::Fixed(aside * slope),
+            1 => Tilt::Free { eccentricity: 0.4 * aside * width },
+            _ => Tilt::None,
+        };
+        all.push(Pressed::new(punch, at, share, tilt)?);
+        at += width * (4.0 + 8.0 * apart);
+    }
+    Punches::new(&all)
+}
+
+/// Half-length of about the contact that a punch of this radius has on a half-plane, no longer than half of the radius.
+fn contact_width(scenario: &Scenario, radius: f64) -> f64 {
+    (scenario.force * radius / scenario.layers[0].modulus).sqrt().min(0.5 * radius)
 }

@@ -20,15 +20,13 @@ mod commands;
 mod examples;
 mod kinds;
 mod load;
-mod punches;
 mod scenario;
 mod strategy;
 mod verify;
 
 pub use check::{CheckedScene, Outcome};
 pub use examples::{EXAMPLES, variant};
-pub use kinds::{about_axis, scene_of_any_kind, scene_of_any_kind_in_units};
-pub use punches::scene_with_punches;
+pub use kinds::{about_axis, scene_of_any_kind, scene_of_any_kind_in_units, scene_with_punches};
 pub use scenario::{Ply, Scenario, ScenarioUnits};
 pub use strategy::{Ranges, scene, scenes};
 pub use verify::{Comparison, ROUNDING, compare};

@@ -7,56 +7,39 @@ use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed,
 use crate::geometry::Geometry;
 use crate::scene::Item;
 
-/// An interface, or the interfaces on both sides of layers of thickness 0, merged.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Between {
-    Joint(Joint),
-    Receding,
-}
-
-impl Between {
-    fn gives_way(self) -> bool {
-        matches!(self, Self::Joint(joint) if joint.gives_way())
-    }
-}
-
-/// A group of joined layers and the interface below it.
+/// A group of joined layers and the interfaces below it.
 #[derive(Debug, Default)]
 struct Groups {
     finished: Vec<Laminate>,
     open: Laminate,
-    /// The interface below the last layer of `open`, as long as the layer on its other side is not known.
-    below: Option<Between>,
+    /// The interfaces since the last layer of `open`, several around layers of thickness 0; `None` for a receding one.
+    below: Vec<Option<Joint>>,
     dropped: Vec<Placed>,
 }
 
 impl Groups {
     /// Adds the interface with this index among the items; an error if springs are left without a layer on one side.
-    fn interface(&mut self, index: usize, next: Between) -> Result<(), StackError> {
-        let loose = || {
+    fn interface(&mut self, index: usize, joint: Option<Joint>) -> Result<(), StackError> {
+        self.below.push(joint);
+        let is_loose = self.open.layers.is_empty() || self.below.contains(&None);
+        if is_loose && self.below.iter().flatten().any(|joint| joint.gives_way()) {
             let layer = self.dropped.last().map_or(String::new(), Placed::name);
-            StackError::at(index, StackProblem::LooseSprings(layer))
-        };
-        // the interfaces above the first layer are dropped
-        if self.open.layers.is_empty() {
-            return if next.gives_way() { Err(loose()) } else { Ok(()) };
+            return Err(StackError::at(index, StackProblem::LooseSprings(layer)));
         }
-        // of the interfaces around dropped layers, a receding one takes precedence; compliances of others add up
-        self.below = Some(match (self.below, next) {
-            (None, next) => next,
-            (Some(Between::Joint(before)), Between::Joint(next)) => Between::Joint(before.in_series(next)),
-            (Some(before), next) if before.gives_way() || next.gives_way() => return Err(loose()),
-            _ => Between::Receding,
-        });
         Ok(())
     }
 
     /// Closes the open group if the next layer is not joined to it.
     fn begin_next(&mut self) {
-        match self.below.take() {
-            Some(Between::Receding) => self.finished.push(std::mem::take(&mut self.open)),
-            Some(Between::Joint(joint)) => self.open.joints.push(joint),
-            None => {}
+        let below = std::mem::take(&mut self.below);
+        // the interfaces above the first layer are dropped
+        if self.open.layers.is_empty() {
+            return;
+        }
+        // a receding one takes precedence; compliances of others add up
+        match below.into_iter().collect::<Option<Vec<Joint>>>() {
+            Some(joints) => self.open.joints.extend(joints.into_iter().reduce(Joint::in_series)),
+            None => self.finished.push(std::mem::take(&mut self.open)),
         }
     }
 
@@ -83,13 +66,13 @@ impl Stack {
         for (index, item) in items.iter().enumerate() {
             let number = number(index);
             match item {
-                Item::Bonded => groups.interface(index, Between::Joint(Joint::BONDED))?,
-                Item::Sliding => groups.interface(index, Between::Joint(Joint::SLIDING))?,
+                Item::Bonded => groups.interface(index, Some(Joint::BONDED))?,
+                Item::Sliding => groups.interface(index, Some(Joint::SLIDING))?,
                 Item::Spring(spring) => {
                     let joint = Joint { normal: spring.normal(), tangential: spring.tangential() };
-                    groups.interface(index, Between::Joint(joint))?;
+                    groups.interface(index, Some(joint))?;
                 }
-                Item::Receding => groups.interface(index, Between::Receding)?,
+                Item::Receding => groups.interface(index, None)?,
                 Item::Rigid => foundation = Some(Foundation::Rigid { number }),
                 Item::Support(support) => {
                     foundation = Some(Foundation::Support { number, support: Arc::clone(support) });
@@ -107,7 +90,7 @@ impl Stack {
             }
         }
         groups.begin_next();
-        // `check_order` has found a base
+        // where there are items, `check_order` has found a base
         finish(geometry.into(), groups, foundation.ok_or(StackError::whole(StackProblem::Empty))?)
     }
 }
@@ -142,38 +125,25 @@ fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<
 
 /// Layers and interfaces alternate, from a layer to a base, which is the only one.
 fn check_order(items: &[Item]) -> Result<(), StackError> {
-    let (Some(first), Some(last)) = (items.first(), items.last()) else {
-        return Err(StackError::whole(StackProblem::Empty));
-    };
-    if first.is_interface() {
-        return Err(StackError::at(0, StackProblem::BeginsWithInterface(first.name())));
-    }
-    for (index, pair) in items.windows(2).enumerate() {
-        let [above, below] = pair else { continue };
+    for (index, item) in items.iter().enumerate() {
         let number = number(index);
-        match (above.is_interface(), below.is_interface()) {
-            (true, true) => {
-                let problem = StackProblem::TwoInterfaces { first: above.name(), second: below.name() };
-                return Err(StackError::at(index + 1, problem));
+        let (at, problem) = match (item.is_interface(), items.get(index + 1)) {
+            (true, _) if index == 0 => (index, StackProblem::BeginsWithInterface(item.name())),
+            (true, None) => (index, StackProblem::EndsWithInterface(item.name())),
+            (true, Some(below)) if below.is_interface() => {
+                (index + 1, StackProblem::TwoInterfaces { first: item.name(), second: below.name() })
             }
-            (false, _) if is_base(above) => {
-                return Err(StackError::at(index, StackProblem::BaseNotLast(called(above, number))));
+            (false, Some(_)) if is_base(item) => (index, StackProblem::BaseNotLast(called(item, number))),
+            (false, Some(below)) if !below.is_interface() => {
+                let (above, below) = (called(item, number), called(below, number + 1));
+                (index + 1, StackProblem::NoInterface { above, below })
             }
-            (false, false) => {
-                let (above, below) = (called(above, number), called(below, number + 1));
-                return Err(StackError::at(index + 1, StackProblem::NoInterface { above, below }));
-            }
-            _ => {}
-        }
+            (false, None) if !is_base(item) => (index, StackProblem::NoBase(called(item, number))),
+            _ => continue,
+        };
+        return Err(StackError::at(at, problem));
     }
-    let end = items.len() - 1;
-    if last.is_interface() {
-        Err(StackError::at(end, StackProblem::EndsWithInterface(last.name())))
-    } else if is_base(last) {
-        Ok(())
-    } else {
-        Err(StackError::at(end, StackProblem::NoBase(called(last, number(end)))))
-    }
+    Ok(())
 }
 
 /// The number of the layer at this place among the items, where layers and interfaces alternate.

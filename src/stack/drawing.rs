@@ -36,7 +36,7 @@ impl Stack {
     /// ```
     pub fn drawing(&self, punch: Option<&str>, columns: Option<usize>) -> String {
         let label = |(number, body): (usize, Option<Body>)| match body.map(|body| body.notation()) {
-            Some(notation) => format!(" {number} {}({}) ", notation.kind, notation.parameters),
+            Some(notation) => format!(" {number} {notation} "),
             None => format!(" {number} Rigid"),
         };
         let groups: Vec<Vec<String>> = self.groups().map(|group| group.bodies().map(label).collect()).collect();

@@ -35,7 +35,44 @@ impl StackError {
 
     /// What to do about it.
     pub fn hint(&self) -> Option<String> {
-        self.problem.hint().map(str::to_owned)
+        let hint = match &self.problem {
+            StackProblem::NotAxisymmetric(_) => {
+                "here x is outwards and z around the axis: let young.x = young.z and poisson.xy/young.x = poisson.yz/young.y, or take an isotropic \
+                 layer, or a plane problem: `geometry: PlaneStrain`"
+            }
+            StackProblem::ComplexRoots(_) => {
+                "its shear modulus is too high beside its other moduli: take a lower one, an isotropic layer, or a plane problem: \
+                 `geometry: PlaneStrain`"
+            }
+            StackProblem::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
+            StackProblem::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
+            StackProblem::TwoInterfaces { .. } => "remove one of them, or write the layer between them",
+            StackProblem::BeginsWithInterface(_) => "the punch acts on the first layer without an interface",
+            StackProblem::EndsWithInterface(_) => "end the stack with `HalfPlane(...)` or `Rigid`",
+            StackProblem::NoBase(_) => "add an interface and `HalfPlane(...)` or `Rigid` below it",
+            StackProblem::BaseNotLast(_) => "end the stack here, or put a layer with a thickness in its place",
+            StackProblem::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
+            StackProblem::TooManyLayers(_) => "a layer that is graded through its thickness replaces many slices",
+            StackProblem::TooManyReceding(_) => "bond the interfaces that do not open under the load",
+            StackProblem::Contrast { .. } => {
+                "what is so much stiffer than all else is rigid, and what is so much softer carries nothing: leave it out, or \
+                 write `Rigid` in its place; a large `beta` times the thickness has the same effect"
+            }
+            StackProblem::NotBonded(_) => {
+                "the pressure on springs alone would be stiffness times displacement, place by place, and not end like that \
+                 on an elastic body: put a thin layer between, `Bonded` to the springs"
+            }
+            StackProblem::LooseSprings(_) => {
+                "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
+                 face, or under the punch itself, would give way like no elastic body"
+            }
+            StackProblem::RoughFace { .. } => {
+                "give the material a finite slope at the face, e.g. by a table of values or by a thin layer of one material \
+                 bonded to the face; inside a body, away from contacts, any variation is allowed"
+            }
+            StackProblem::Thickness { .. } | StackProblem::TooThick => return None,
+        };
+        Some(hint.to_owned())
     }
 }
 
@@ -130,46 +167,4 @@ pub enum StackProblem {
     /// So many receding interfaces cannot be solved for in a reasonable time and memory.
     #[error("the stack has {0} receding interfaces; allowed are at most {MAX_RECEDING}")]
     TooManyReceding(usize),
-}
-
-impl StackProblem {
-    fn hint(&self) -> Option<&'static str> {
-        Some(match self {
-            Self::NotAxisymmetric(_) => {
-                "here x is outwards and z around the axis: let young.x = young.z and poisson.xy/young.x = poisson.yz/young.y, or take an isotropic \
-                 layer, or a plane problem: `geometry: PlaneStrain`"
-            }
-            Self::ComplexRoots(_) => {
-                "its shear modulus is too high beside its other moduli: take a lower one, an isotropic layer, or a plane problem: \
-                 `geometry: PlaneStrain`"
-            }
-            Self::Empty => "write the layers from the top down, ending in `HalfPlane(...)` or `Rigid`",
-            Self::NoInterface { .. } => "write `Bonded`, `Receding`, `Sliding` or `Spring(...)` between them",
-            Self::TwoInterfaces { .. } => "remove one of them, or write the layer between them",
-            Self::BeginsWithInterface(_) => "the punch acts on the first layer without an interface",
-            Self::EndsWithInterface(_) => "end the stack with `HalfPlane(...)` or `Rigid`",
-            Self::NoBase(_) => "add an interface and `HalfPlane(...)` or `Rigid` below it",
-            Self::BaseNotLast(_) => "end the stack here, or put a layer with a thickness in its place",
-            Self::NothingElastic => "write a layer with a thickness above `Rigid`, or use `HalfPlane(...)`",
-            Self::TooManyLayers(_) => "a layer that is graded through its thickness replaces many slices",
-            Self::TooManyReceding(_) => "bond the interfaces that do not open under the load",
-            Self::Contrast { .. } => {
-                "what is so much stiffer than all else is rigid, and what is so much softer carries nothing: leave it out, or \
-                 write `Rigid` in its place; a large `beta` times the thickness has the same effect"
-            }
-            Self::NotBonded(_) => {
-                "the pressure on springs alone would be stiffness times displacement, place by place, and not end like that \
-                 on an elastic body: put a thin layer between, `Bonded` to the springs"
-            }
-            Self::LooseSprings(_) => {
-                "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
-                 face, or under the punch itself, would give way like no elastic body"
-            }
-            Self::RoughFace { .. } => {
-                "give the material a finite slope at the face, e.g. by a table of values or by a thin layer of one material \
-                 bonded to the face; inside a body, away from contacts, any variation is allowed"
-            }
-            Self::Thickness { .. } | Self::TooThick => return None,
-        })
-    }
 }

@@ -1,5 +1,4 @@
 //! Faces on which pressures act: the response to short waves is a series in 1/λ only if the material has a slope there.
-use recede_layers::Plane;
 use recede_layers::conformance::rough_face;
 
 use super::{Placed, Stack, StackError, StackProblem};
@@ -13,16 +12,12 @@ impl Stack {
         // the length with which depths in a half-plane are compared
         let total = self.total_thickness();
         let length = if total > 0.0 { total } else { 1.0 };
-        tops.chain(bottoms).try_for_each(|(placed, bottom)| check(placed, self.plane(), bottom, length))
+        let mut general = tops.chain(bottoms).filter(|(placed, _)| placed.layer.closed_form().is_none());
+        let rough = |(placed, bottom): (&Placed, bool)| {
+            let rough = rough_face(&*placed.layer, self.plane(), bottom, length)?;
+            let problem = StackProblem::RoughFace { layer: placed.name(), face: rough.face, exponent: rough.exponent };
+            Some(StackError::of_layer(placed.number, problem))
+        };
+        general.find_map(rough).map_or(Ok(()), Err)
     }
-}
-
-fn check(placed: &Placed, plane: Plane, bottom: bool, length: f64) -> Result<(), StackError> {
-    if placed.layer.closed_form().is_some() {
-        return Ok(());
-    }
-    rough_face(&*placed.layer, plane, bottom, length).map_or(Ok(()), |rough| {
-        let problem = StackProblem::RoughFace { layer: placed.name(), face: rough.face, exponent: rough.exponent };
-        Err(StackError::of_layer(placed.number, problem))
-    })
 }

@@ -178,18 +178,12 @@ impl<'a> Group<'a> {
 impl Foundation {
     /// The half-plane that it is, if it is one.
     pub fn half_plane(&self) -> Option<&Placed> {
-        match self {
-            Self::HalfPlane(placed) => Some(placed),
-            Self::Support { .. } | Self::Rigid { .. } => None,
-        }
+        if let Self::HalfPlane(placed) = self { Some(placed) } else { None }
     }
 
     /// The support that it is and its number, if it is one.
     pub fn support(&self) -> Option<(usize, &Arc<dyn Support>)> {
-        match self {
-            Self::Support { number, support } => Some((*number, support)),
-            Self::HalfPlane(_) | Self::Rigid { .. } => None,
-        }
+        if let Self::Support { number, support } = self { Some((*number, support)) } else { None }
     }
 
     /// The foundation's number, counted with the layers.
