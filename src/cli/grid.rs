@@ -48,10 +48,8 @@ impl GridArguments {
             }
             Sweep::new(scene, self.vary.clone())?
         };
-        let sweep = match self.tolerance {
-            Some(tolerance) => sweep.with_options(Options { tolerance })?,
-            None => sweep,
-        };
+        let tolerance = self.tolerance.unwrap_or(sweep.options().tolerance);
+        let sweep = sweep.with_options(Options { tolerance })?;
         let sweep = if self.approach { sweep.with_approach() } else { sweep };
         Ok(if self.extremes { sweep.with_extremes() } else { sweep })
     }
