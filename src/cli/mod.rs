@@ -8,7 +8,6 @@ mod init;
 mod list;
 mod merge;
 mod outputs;
-mod part_file;
 mod plot;
 mod profile;
 mod progress;

@@ -3,7 +3,7 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use recede::files;
 use recede::report::SweepCsv;
@@ -146,37 +146,22 @@ pub(super) fn begun(
     Ok(begun)
 }
 
-/// The kind of a file of rows, by its ending.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum RowsKind {
-    Csv,
-    Parquet,
-}
-
-impl RowsKind {
-    /// The kind of a file with this name: comma-separated values unless it ends with `.parquet`, which not every program can write.
-    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
-        outputs::fits(path, &["csv", "parquet"])?;
-        if outputs::ending(path) != "parquet" {
-            return Ok(Self::Csv);
-        }
-        if cfg!(feature = "parquet") {
-            return Ok(Self::Parquet);
-        }
-        Err(Failure::usage(
+/// Whether a file of rows with this name is a Parquet file, which not every program can write, rather than one of comma-separated values.
+pub(super) fn is_parquet(path: &Path) -> Result<bool, Failure> {
+    outputs::fits(path, &["csv", "parquet"])?;
+    let is_parquet = outputs::ending(path) == "parquet";
+    if is_parquet && !cfg!(feature = "parquet") {
+        return Err(Failure::usage(
             format!("{}: this program was built without Parquet", path.display()),
             "build it with `--features parquet`, name a file that ends with .csv, or use `to_parquet` of the Python package",
-        ))
+        ));
     }
+    Ok(is_parquet)
 }
 
 /// Copies the lines of files whose lines were compared with the rows of the sweep to a file that appears when it is complete.
-pub(super) fn copy<'a>(
-    path: &Path,
-    csv: &SweepCsv,
-    parts: impl IntoIterator<Item = &'a PathBuf>,
-) -> Result<(), Failure> {
-    let kind = RowsKind::of(path)?;
+pub(super) fn copy<'a>(path: &Path, csv: &SweepCsv, parts: impl IntoIterator<Item = &'a Path>) -> Result<(), Failure> {
+    let is_parquet = is_parquet(path)?;
     let mut parts = parts.into_iter();
     let mut copy = |write: &mut dyn FnMut(&str) -> io::Result<()>| {
         parts.try_for_each(|part| {
@@ -184,9 +169,9 @@ pub(super) fn copy<'a>(
             lines.try_for_each(|line| write(&(line? + "\n")))
         })
     };
-    let written = files::replace(path, |out| match kind {
+    let written = files::replace(path, |out| match is_parquet {
         #[cfg(feature = "parquet")]
-        RowsKind::Parquet => {
+        true => {
             let mut file = recede::report::SweepParquet::new(csv, out)?;
             copy(&mut |line| file.write(line))?;
             file.finish().map(drop)
