@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use recede::plot;
 use recede::report::{Format, write_field};
-use recede::{Field, FieldPoint, FieldQuantity, Geometry, Options, Point, Solution};
+use recede::{Field, FieldPoint, FieldQuantity, Geometry, Point, Solution};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, outputs, solved, warn};
@@ -67,17 +67,13 @@ pub struct FieldArguments {
 }
 
 /// Equally spaced numbers.
-#[derive(Clone, Copy, Debug)]
-struct Steps {
-    start: f64,
-    stop: f64,
-    count: usize,
-}
+#[derive(Clone, Debug)]
+struct Steps(Vec<f64>);
 
 impl Steps {
-    fn numbers(&self) -> Vec<f64> {
-        let part = |k: usize| if self.count > 1 { k as f64 / (self.count - 1) as f64 } else { 0.0 };
-        (0..self.count).map(part).map(|part| (1.0 - part) * self.start + part * self.stop).collect()
+    fn new(start: f64, stop: f64, count: usize) -> Self {
+        let part = |k: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };
+        Self((0..count).map(part).map(|part| (1.0 - part) * start + part * stop).collect())
     }
 }
 
@@ -86,10 +82,10 @@ fn steps(text: &str) -> Result<Steps, String> {
     let wrong = || format!("found `{text}`, expected START:STOP:COUNT as in 0:2:200");
     let [start, stop, count] = text.split(':').collect::<Vec<_>>()[..] else { return Err(wrong()) };
     let number = |text: &str| text.parse().map_err(|_| wrong());
-    let steps = Steps { start: number(start)?, stop: number(stop)?, count: count.parse().map_err(|_| wrong())? };
-    let legal = steps.start.is_finite() && steps.stop.is_finite() && (1..=10_000).contains(&steps.count);
+    let (start, stop, count): (f64, f64, _) = (number(start)?, number(stop)?, count.parse().map_err(|_| wrong())?);
+    let legal = start.is_finite() && stop.is_finite() && (1..=10_000).contains(&count);
     let refused = || format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000");
-    legal.then_some(steps).ok_or_else(refused)
+    legal.then(|| Steps::new(start, stop, count)).ok_or_else(refused)
 }
 
 /// X,DEPTH or X,DEPTH@LAYER.
@@ -106,19 +102,18 @@ fn point(text: &str) -> Result<Point, String> {
 
 impl FieldArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let format = self.output()?;
-        if let (Output::Map, false) = (format, self.at.is_empty()) {
+        let format = self.format()?;
+        if format.is_none() && !self.at.is_empty() {
             return Err(Failure::usage(
                 "a map is drawn of a grid, not of points",
                 "leave out --at, or let the file end in .csv or .json",
             ));
         }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let options = Options { tolerance: self.tolerance };
-        let (model, solution) = solved(&scene, &options)?;
+        let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
         let field = model.field(&solution)?;
-        let Output::Points(format) = format else {
+        let Some(format) = format else {
             // without a file there is no map
             let Some(path) = &self.out else { return Ok(()) };
             let [xs, depths] = self.grid(&field, &solution, MAP);
@@ -138,17 +133,12 @@ impl FieldArguments {
         })
     }
 
-    /// Points or a map, as the name of the file asks for; points in the format to standard output.
-    fn output(&self) -> Result<Output, Failure> {
-        let kinds = [
-            ("csv", Output::Points(Format::Csv)),
-            ("json", Output::Points(Format::Json)),
-            ("svg", Output::Map),
-            ("pdf", Output::Map),
-            ("png", Output::Map),
-        ];
+    /// The format of numbers at points, as the name of the file asks for; `None` for a map.
+    fn format(&self) -> Result<Option<Format>, Failure> {
+        let kinds =
+            [("csv", Some(Format::Csv)), ("json", Some(Format::Json)), ("svg", None), ("pdf", None), ("png", None)];
         let hint = "let it end in .csv or .json for numbers, in .svg, .pdf or .png for a map";
-        outputs::kind(self.out.as_deref(), None, &kinds, Output::Points(self.format), hint)
+        outputs::kind(self.out.as_deref(), None, &kinds, Some(self.format), hint)
     }
 
     /// The quantity that is asked for by its name in this geometry.
@@ -178,17 +168,10 @@ impl FieldArguments {
         let longest = [half, layers].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
         let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;
-        let xs = self.x.unwrap_or(Steps { start: middle - beside, stop: middle + beside, count: columns });
-        let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last.min(BELOW * longest), count: rows });
-        [xs.numbers(), depths.numbers()]
+        let Steps(xs) = self.x.clone().unwrap_or_else(|| Steps::new(middle - beside, middle + beside, columns));
+        let Steps(depths) = self.depth.clone().unwrap_or_else(|| Steps::new(0.0, last.min(BELOW * longest), rows));
+        [xs, depths]
     }
-}
-
-/// The kind of output: numbers at points, or a map.
-#[derive(Clone, Copy, PartialEq)]
-enum Output {
-    Points(Format),
-    Map,
 }
 
 /// The names of quantities in all geometries.
