@@ -114,23 +114,19 @@ fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn 
             for &Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = digits.rounded(force) + line_load;
                 let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + length);
-                match left + right {
-                    0.0 if right > 0.0 => writeln!(out, "{name}: {distance} < {to} carries {share}")?,
-                    0.0 => writeln!(out, "{name}: {along} = 0 carries {share}")?,
-                    _ if !is_even && left == right => writeln!(out, "{name}: {along} = {to} carries {share}")?,
-                    _ if !is_even => writeln!(out, "{name}: {along} from {from} to {to} carries {share}")?,
-                    middle if middle < 0.0 => {}
+                let carried = match left + right {
+                    0.0 if right > 0.0 => format!("{distance} < {to} carries {share}"),
+                    0.0 => format!("{along} = 0 carries {share}"),
+                    _ if !is_even && left == right => format!("{along} = {to} carries {share}"),
+                    _ if !is_even => format!("{along} from {from} to {to} carries {share}"),
+                    middle if middle < 0.0 => continue,
                     _ if report.scene.geometry.is_axisymmetric() => {
-                        let ring = digits.rounded(2.0 * force) + line_load;
-                        writeln!(out, "{name}: {along} from {from} to {to} carries {ring}")?;
+                        format!("{along} from {from} to {to} carries {}", digits.rounded(2.0 * force) + line_load)
                     }
-                    _ if left == right => {
-                        writeln!(out, "{name}: {along} = {to} and {along} = -{to} carry {share} each")?
-                    }
-                    _ => {
-                        writeln!(out, "{name}: {along} from {from} to {to}, and its mirror image, carry {share} each")?
-                    }
-                }
+                    _ if left == right => format!("{along} = {to} and {along} = -{to} carry {share} each"),
+                    _ => format!("{along} from {from} to {to}, and its mirror image, carry {share} each"),
+                };
+                writeln!(out, "{name}: {carried}")?;
             }
         }
         let peak = contact.peak();
