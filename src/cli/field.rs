@@ -1,5 +1,4 @@
 //! `recede field`: stresses and displacements inside the stack.
-use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -177,7 +176,6 @@ impl FieldArguments {
 /// The names of quantities in all geometries.
 fn names() -> Vec<&'static str> {
     let of = |geometry: Geometry| FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry));
-    let mut seen = BTreeSet::new();
-    let names = [Geometry::PlaneStrain, Geometry::Axisymmetric].into_iter().flat_map(of);
-    names.filter(|name| seen.insert(*name)).collect()
+    let [plane, round] = [Geometry::PlaneStrain, Geometry::Axisymmetric].map(of);
+    plane.into_iter().chain(round.into_iter().filter(|name| !plane.contains(name))).collect()
 }
