@@ -82,7 +82,7 @@ impl Sweep {
             }
         }
         match refused {
-            Some(error) if choice.is_unknown() => {
+            Some(error) if choice.there.is_none() && choice.missing.is_none() => {
                 let known =
                     own.len() <= 2 && own.iter().zip(&extremes).all(|((axis, _), own)| axis.count() == own.len());
                 if known { Err(error.into()) } else { Ok(Choice::any(self.scene.stack[index].clone())) }
@@ -97,10 +97,6 @@ impl Choice {
         let missing = matches!(&item, Item::Layer(layer) if layer.thickness() == Some(0.0));
         let place = if missing { &mut self.missing } else { &mut self.there };
         place.get_or_insert(item);
-    }
-
-    fn is_unknown(&self) -> bool {
-        self.there.is_none() && self.missing.is_none()
     }
 
     /// An item of which nothing is known: a column too many is better than one that is not there.
