@@ -1,5 +1,6 @@
 //! The punches above a stack, and the forces on them; or the loads in their place.
 use super::chart::APART;
+use super::depths::last_below;
 use super::names::{after, of_top};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
@@ -15,8 +16,6 @@ const HIGHEST: f64 = 34.0;
 const SEEN: f64 = 10.0;
 /// Points of its outline on each side.
 const POINTS: usize = 100;
-/// Halvings of the place where the outline leaves the drawing.
-const HALVINGS: usize = 50;
 /// Room between two punches, in points.
 const BETWEEN: f64 = 4.0;
 /// Distance of the arrows of a load, in points.
@@ -180,12 +179,7 @@ fn times(rise: f64) -> f64 {
 fn end_below(height: &impl Fn(f64) -> f64, end: f64) -> f64 {
     let step = |i: usize| end * i as f64 / POINTS as f64;
     let Some(beyond) = (1..=POINTS).find(|i| height(step(*i)) > HIGHEST) else { return end };
-    let [mut inside, mut outside] = [step(beyond - 1), step(beyond)];
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (inside + outside);
-        *(if height(middle) > HIGHEST { &mut outside } else { &mut inside }) = middle;
-    }
-    inside
+    last_below(HIGHEST, height, [step(beyond - 1), step(beyond)])
 }
 
 /// An arrow that points down to a tip.
