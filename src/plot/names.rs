@@ -24,12 +24,6 @@ pub(super) fn after(scene: &Scene, dimension: Dimension) -> String {
     unit(scene, dimension).map_or(String::new(), |unit| format!(" {unit}"))
 }
 
-/// The distance from the middle, with its letter in italics.
-fn distance(scene: &Scene) -> String {
-    let Words { along, distance, .. } = scene.geometry.words();
-    distance.replace(along, &italic(along))
-}
-
 /// The punch or load in short lines: its kind, then its sizes, as they are written in a scene; several by their number.
 pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     let punch = scene.top.punch().or_else(|| scene.top.even_punch());
@@ -91,7 +85,8 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     } else {
         "∞".to_owned()
     };
-    let along = if contact.is_even() { distance(scene) } else { italic(scene.geometry.words().along) };
+    let Words { along, distance, .. } = scene.geometry.words();
+    let along = if contact.is_even() { distance } else { along }.replace(along, &italic(along));
     let place = format!("at {along} = {}{}", short(peak.x), after(scene, Dimension::LENGTH));
     let is_aside = (peak.x - contact.about.unwrap_or(0.0)).abs() > peak.x_error;
     let aside = is_aside.then_some(place);

@@ -9,7 +9,7 @@ use super::scale::{Scale, short};
 use super::section::{self, WIDTH, contacts_at, hatching, interface};
 use super::style::{INK, SMALL, curve};
 use crate::scene::Scene;
-use crate::solution::{Contact, Interval, Solution};
+use crate::solution::{Contact, Solution};
 use crate::stack::{Group, Placed, Stack};
 
 /// Greatest height of the layers together, in points.
@@ -172,12 +172,8 @@ impl Drawing<'_> {
                 interface(picture, None, *y, |x| self.x(x), touching);
             }
             interface(picture, contact, *y, |x| self.x(x), touching);
-            for end in contact
-                .map_or(&[][..], Contact::intervals)
-                .iter()
-                .flat_map(|Interval { left, right, .. }| [left, right])
-            {
-                let x = self.x(*end);
+            let intervals = contact.map_or(&[][..], Contact::intervals);
+            for x in intervals.iter().flat_map(|own| [own.left, own.right]).map(|end| self.x(end)) {
                 picture.line(&[(x, y - 4.0), (x, y + 4.0)], Stroke { width: 1.2, ..touching });
             }
             if let Some(i) = found {
