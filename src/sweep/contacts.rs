@@ -52,7 +52,9 @@ impl Sweep {
             StackProblem::TooManyLayers(_) | StackProblem::TooManyReceding(_) => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())
             }
-            StackProblem::TooThick | StackProblem::Contrast { .. } => self.stacks() == 1,
+            StackProblem::TooThick | StackProblem::Contrast { .. } => {
+                self.values_of(|owner| matches!(owner, Owner::Item(_))) == 1
+            }
             _ => true,
         };
         if only { Err(error.into()) } else { Ok(()) }
