@@ -33,34 +33,28 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         writeln!(out, "{interface} by collocation with {nodes} nodes: residual {residual}, pressures differ by {off}")?;
     }
     let of_stiffness = if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
+    let Words { along, distance, .. } = scene.geometry.words();
     let approach = |k: usize| approaches.get(k).and_then(|found| found.as_ref().ok());
     match (solution.punches(), approach(0)) {
         ([], Some(approach)) => sunk(approach, digits, [length, &report.unit(of_stiffness)], out)?,
         (punches, _) => {
+            let force_unit = report.unit(Dimension::FORCE);
             for (k, Carried { tilt, moment, .. }) in punches.iter().enumerate() {
                 let name = if punches.len() == 1 { "punch".to_owned() } else { format!("punch {}", k + 1) };
                 let sunk = approach(k).map_or_else(String::new, |approach| {
                     format!("approach {}{length}, ", digits.with_error(approach.value, approach.error))
                 });
                 let [tilt, moment] = [tilt, moment].map(|number| to_digits(*number, 6));
-                writeln!(
-                    out,
-                    "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{}",
-                    report.unit(Dimension::FORCE)
-                )?;
+                writeln!(out, "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{force_unit}")?;
             }
         }
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (to_digits(*value, 5), to_digits(*x, 4), to_digits(*depth, 4));
-        writeln!(
-            out,
-            "largest shear stress {value}{stress} at {} = {x}{length}, depth {depth}{length} in layer {layer}",
-            scene.geometry.words().along
-        )?;
+        let place = format!("{along} = {x}{length}, depth {depth}{length} in layer {layer}");
+        writeln!(out, "largest shear stress {value}{stress} at {place}")?;
     }
     if let Some(extremes) = report.extremes {
-        let Words { along, distance, .. } = scene.geometry.words();
         let place = if solution.is_even() { distance } else { along };
         writeln!(out, "{}", extremes::table(extremes, place, digits, [length, stress]))?;
     }
