@@ -35,15 +35,22 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let of_stiffness = if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
     let Words { along, distance, .. } = scene.geometry.words();
     let approach = |k: usize| approaches.get(k).and_then(|found| found.as_ref().ok());
+    let sunk = |found: &Approach| format!("approach {}{length}, ", digits.with_error(found.value, found.error));
     match (solution.punches(), approach(0)) {
-        ([], Some(approach)) => sunk(approach, digits, [length, &report.unit(of_stiffness)], out)?,
+        ([], Some(approach)) => {
+            let stiffness = match approach.stiffness {
+                Stiffness::Known { value, error } => {
+                    format!("stiffness {}{}", digits.with_error(value, error), report.unit(of_stiffness))
+                }
+                Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
+            };
+            writeln!(out, "{}{stiffness}", sunk(approach))?;
+        }
         (punches, _) => {
             let force_unit = report.unit(Dimension::FORCE);
             for (k, Carried { tilt, moment, .. }) in punches.iter().enumerate() {
                 let name = if punches.len() == 1 { "punch".to_owned() } else { format!("punch {}", k + 1) };
-                let sunk = approach(k).map_or_else(String::new, |approach| {
-                    format!("approach {}{length}, ", digits.with_error(approach.value, approach.error))
-                });
+                let sunk = approach(k).map_or_else(String::new, sunk);
                 let [tilt, moment] = [tilt, moment].map(|number| to_digits(*number, 6));
                 writeln!(out, "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{force_unit}")?;
             }
@@ -58,14 +65,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         let place = if solution.is_even() { distance } else { along };
         writeln!(out, "{}", extremes::table(extremes, place, digits, [length, stress]))?;
     }
-    writeln!(
-        out,
-        "{} modes, {} wavenumbers, {} Newton steps, {}",
-        solution.modes(),
-        solution.wavenumbers(),
-        solution.newton_steps(),
-        duration(*seconds)
-    )
+    let [modes, wavenumbers, steps] = [solution.modes(), solution.wavenumbers(), solution.newton_steps()];
+    writeln!(out, "{modes} modes, {wavenumbers} wavenumbers, {steps} Newton steps, {}", duration(*seconds))
 }
 
 /// A line for each contact.
@@ -86,15 +87,6 @@ fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
         ]);
     }
     table
-}
-
-/// How far the punch has sunk, and the stiffness.
-fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &mut dyn io::Write) -> io::Result<()> {
-    let stiffness = match approach.stiffness {
-        Stiffness::Known { value, error } => format!("stiffness {}{stress}", digits.with_error(value, error)),
-        Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
-    };
-    writeln!(out, "approach {}{length}, {stiffness}", digits.with_error(approach.value, approach.error))
 }
 
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
