@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use recede::plot;
 use recede::report::{Format, write_field};
-use recede::{Field, FieldPoint, FieldQuantity, Geometry, Point, Solution};
+use recede::{Field, FieldQuantity, Geometry, Point, Solution};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, outputs, solved, warn};
@@ -120,7 +120,12 @@ impl FieldArguments {
             let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
             return Ok(plot::save(path, &self.title.above(picture, &scene))?);
         };
-        let points = self.points(&field, &solution, format)?;
+        let points = if self.at.is_empty() {
+            let [xs, depths] = self.grid(&field, &solution, if format == Format::Table { TABLE } else { LIST });
+            field.grid(&xs, &depths)?.points().to_vec()
+        } else {
+            field.points(&self.at)?
+        };
         if format == Format::Table && points.len() > READABLE {
             return Err(Failure::usage(
                 format!("a table of {} points is too long to be read; at most {READABLE} are shown", points.len()),
@@ -147,14 +152,6 @@ impl FieldArguments {
             let all = FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry)).join(", ");
             Failure::usage(format!("there is no {} in this geometry", self.quantity), format!("there are {all}"))
         })
-    }
-
-    fn points(&self, field: &Field, solution: &Solution, format: Format) -> Result<Vec<FieldPoint>, Failure> {
-        if !self.at.is_empty() {
-            return Ok(field.points(&self.at)?);
-        }
-        let [xs, depths] = self.grid(field, solution, if format == Format::Table { TABLE } else { LIST });
-        Ok(field.grid(&xs, &depths)?.points().to_vec())
     }
 
     /// Places along x and depths; the default number of each unless it is given.

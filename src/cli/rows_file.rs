@@ -44,8 +44,17 @@ pub(super) fn resume(
     }
     let mut file = open(path)?;
     let begun = begun(path, &file, csv, |_| Ok(rows.clone()), see)?;
-    if let Some(line) = begun.wrong {
-        return Err(wrong(path, line));
+    let (name, of_other) = (path.display(), "holds something else than rows of this sweep, or of this part of it");
+    match begun.wrong {
+        Some(1) => {
+            let hint = "without --resume it is begun anew, and what it holds is lost";
+            return Err(Failure::usage(format!("{name} {of_other}"), hint));
+        }
+        Some(line) => {
+            let hint = "if lines were damaged, remove this one and all below it: --resume computes them again";
+            return Err(Failure::usage(format!("{name}, line {line}, {of_other}"), hint));
+        }
+        None => {}
     }
     // half a line, if there is one, is made again
     file.set_len(begun.bytes).and_then(|()| file.seek(SeekFrom::Start(begun.bytes))).map_err(failed)?;
@@ -67,19 +76,6 @@ fn open(path: &Path) -> Result<File, Failure> {
         // some file systems have no locks
         Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
     }
-}
-
-fn wrong(path: &Path, line: usize) -> Failure {
-    let name = path.display();
-    let of_other = "holds something else than rows of this sweep, or of this part of it";
-    if line == 1 {
-        let hint = "without --resume it is begun anew, and what it holds is lost";
-        return Failure::usage(format!("{name} {of_other}"), hint);
-    }
-    Failure::usage(
-        format!("{name}, line {line}, {of_other}"),
-        "if lines were damaged, remove this one and all below it: --resume computes them again",
-    )
 }
 
 /// The state of a file of lines, which may have been interrupted.
