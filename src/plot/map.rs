@@ -55,8 +55,9 @@ pub fn map(
     let depths = DrawnDepths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
     let error = error(field, grids, quantity);
     let value = |point: &FieldPoint| known(quantity.of_in(point, scene.geometry), error);
-    let clipped =
-        points().any(|point| is_singular(point, quantity)) || depth.0 <= 0.0 && rises(scene, solution, quantity);
+    // infinite or not defined because stresses are infinite at this point
+    let is_singular = |point: &FieldPoint| point.sigma_yy.is_infinite() && !quantity.of(point).is_finite();
+    let clipped = points().any(is_singular) || depth.0 <= 0.0 && rises(scene, solution, quantity);
     let values = range(points().map(value), clipped).ok_or_else(|| {
         let name = quantity.name_in(scene.geometry);
         PlotError::Empty(format!("{name} is infinite or not known at all points of the map"))
@@ -114,11 +115,6 @@ fn error(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> f64 {
 /// Whether a quantity may have both signs.
 fn is_signed(quantity: FieldQuantity) -> bool {
     !matches!(quantity, FieldQuantity::MaxShear | FieldQuantity::VonMises)
-}
-
-/// Whether a quantity is infinite or not defined because stresses are infinite at this point.
-fn is_singular(point: &FieldPoint, quantity: FieldQuantity) -> bool {
-    point.sigma_yy.is_infinite() && !quantity.of(point).is_finite()
 }
 
 /// Whether a quantity is infinite somewhere on the face on which the punch presses, be it between the points of a grid.

@@ -38,14 +38,11 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
         let (name, dimension) = of_path(scene, &field.name);
         Some(format!("{name} = {}{}", short(number), after(scene, dimension)))
     };
-    let kind = words(node.name.as_deref().unwrap_or_default()) + load;
+    // in words: `RoundedFlat` as "rounded flat"
+    let spaced = |c: char| if c.is_uppercase() { format!(" {c}") } else { c.to_string() };
+    let kind: String = node.name.as_deref().unwrap_or_default().chars().map(spaced).collect();
+    let kind = kind.trim_start().to_lowercase() + load;
     [kind].into_iter().chain(node.fields().iter().filter_map(size)).collect()
-}
-
-/// The name of a kind in words: `RoundedFlat` as "rounded flat".
-fn words(name: &str) -> String {
-    let spaced: String = name.chars().map(|c| if c.is_uppercase() { format!(" {c}") } else { c.to_string() }).collect();
-    spaced.trim_start().to_lowercase()
 }
 
 /// Which bodies touch there.
