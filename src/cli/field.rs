@@ -1,12 +1,11 @@
 //! `recede field`: stresses and displacements inside the stack.
-use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use recede::plot;
 use recede::report::{Format, write_field};
-use recede::{Field, FieldPoint, FieldQuantity, Geometry, Options, Point, Solution};
+use recede::{Field, FieldQuantity, Geometry, Point, Solution};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, outputs, solved, warn};
@@ -67,17 +66,13 @@ pub struct FieldArguments {
 }
 
 /// Equally spaced numbers.
-#[derive(Clone, Copy, Debug)]
-struct Steps {
-    start: f64,
-    stop: f64,
-    count: usize,
-}
+#[derive(Clone, Debug)]
+struct Steps(Vec<f64>);
 
 impl Steps {
-    fn numbers(&self) -> Vec<f64> {
-        let part = |k: usize| if self.count > 1 { k as f64 / (self.count - 1) as f64 } else { 0.0 };
-        (0..self.count).map(part).map(|part| (1.0 - part) * self.start + part * self.stop).collect()
+    fn new(start: f64, stop: f64, count: usize) -> Self {
+        let part = |k: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };
+        Self((0..count).map(part).map(|part| (1.0 - part) * start + part * stop).collect())
     }
 }
 
@@ -86,10 +81,10 @@ fn steps(text: &str) -> Result<Steps, String> {
     let wrong = || format!("found `{text}`, expected START:STOP:COUNT as in 0:2:200");
     let [start, stop, count] = text.split(':').collect::<Vec<_>>()[..] else { return Err(wrong()) };
     let number = |text: &str| text.parse().map_err(|_| wrong());
-    let steps = Steps { start: number(start)?, stop: number(stop)?, count: count.parse().map_err(|_| wrong())? };
-    let legal = steps.start.is_finite() && steps.stop.is_finite() && (1..=10_000).contains(&steps.count);
+    let (start, stop, count): (f64, f64, _) = (number(start)?, number(stop)?, count.parse().map_err(|_| wrong())?);
+    let legal = start.is_finite() && stop.is_finite() && (1..=10_000).contains(&count);
     let refused = || format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000");
-    legal.then_some(steps).ok_or_else(refused)
+    legal.then(|| Steps::new(start, stop, count)).ok_or_else(refused)
 }
 
 /// X,DEPTH or X,DEPTH@LAYER.
@@ -106,19 +101,18 @@ fn point(text: &str) -> Result<Point, String> {
 
 impl FieldArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        let format = self.output()?;
-        if let (Output::Map, false) = (format, self.at.is_empty()) {
+        let format = self.format()?;
+        if format.is_none() && !self.at.is_empty() {
             return Err(Failure::usage(
                 "a map is drawn of a grid, not of points",
                 "leave out --at, or let the file end in .csv or .json",
             ));
         }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let options = Options { tolerance: self.tolerance };
-        let (model, solution) = solved(&scene, &options)?;
+        let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
         let field = model.field(&solution)?;
-        let Output::Points(format) = format else {
+        let Some(format) = format else {
             // without a file there is no map
             let Some(path) = &self.out else { return Ok(()) };
             let [xs, depths] = self.grid(&field, &solution, MAP);
@@ -126,7 +120,12 @@ impl FieldArguments {
             let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
             return Ok(plot::save(path, &self.title.above(picture, &scene))?);
         };
-        let points = self.points(&field, &solution, format)?;
+        let points = if self.at.is_empty() {
+            let [xs, depths] = self.grid(&field, &solution, if format == Format::Table { TABLE } else { LIST });
+            field.grid(&xs, &depths)?.points().to_vec()
+        } else {
+            field.points(&self.at)?
+        };
         if format == Format::Table && points.len() > READABLE {
             return Err(Failure::usage(
                 format!("a table of {} points is too long to be read; at most {READABLE} are shown", points.len()),
@@ -138,17 +137,12 @@ impl FieldArguments {
         })
     }
 
-    /// Points or a map, as the name of the file asks for; points in the format to standard output.
-    fn output(&self) -> Result<Output, Failure> {
-        let kinds = [
-            ("csv", Output::Points(Format::Csv)),
-            ("json", Output::Points(Format::Json)),
-            ("svg", Output::Map),
-            ("pdf", Output::Map),
-            ("png", Output::Map),
-        ];
+    /// The format of numbers at points, as the name of the file asks for; `None` for a map.
+    fn format(&self) -> Result<Option<Format>, Failure> {
+        let kinds =
+            [("csv", Some(Format::Csv)), ("json", Some(Format::Json)), ("svg", None), ("pdf", None), ("png", None)];
         let hint = "let it end in .csv or .json for numbers, in .svg, .pdf or .png for a map";
-        outputs::kind(self.out.as_deref(), None, &kinds, Output::Points(self.format), hint)
+        outputs::kind(self.out.as_deref(), None, &kinds, Some(self.format), hint)
     }
 
     /// The quantity that is asked for by its name in this geometry.
@@ -158,14 +152,6 @@ impl FieldArguments {
             let all = FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry)).join(", ");
             Failure::usage(format!("there is no {} in this geometry", self.quantity), format!("there are {all}"))
         })
-    }
-
-    fn points(&self, field: &Field, solution: &Solution, format: Format) -> Result<Vec<FieldPoint>, Failure> {
-        if !self.at.is_empty() {
-            return Ok(field.points(&self.at)?);
-        }
-        let [xs, depths] = self.grid(field, solution, if format == Format::Table { TABLE } else { LIST });
-        Ok(field.grid(&xs, &depths)?.points().to_vec())
     }
 
     /// Places along x and depths; the default number of each unless it is given.
@@ -178,23 +164,15 @@ impl FieldArguments {
         let longest = [half, layers].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
         let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;
-        let xs = self.x.unwrap_or(Steps { start: middle - beside, stop: middle + beside, count: columns });
-        let depths = self.depth.unwrap_or(Steps { start: 0.0, stop: last.min(BELOW * longest), count: rows });
-        [xs.numbers(), depths.numbers()]
+        let Steps(xs) = self.x.clone().unwrap_or_else(|| Steps::new(middle - beside, middle + beside, columns));
+        let Steps(depths) = self.depth.clone().unwrap_or_else(|| Steps::new(0.0, last.min(BELOW * longest), rows));
+        [xs, depths]
     }
-}
-
-/// The kind of output: numbers at points, or a map.
-#[derive(Clone, Copy, PartialEq)]
-enum Output {
-    Points(Format),
-    Map,
 }
 
 /// The names of quantities in all geometries.
 fn names() -> Vec<&'static str> {
     let of = |geometry: Geometry| FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry));
-    let mut seen = BTreeSet::new();
-    let names = [Geometry::PlaneStrain, Geometry::Axisymmetric].into_iter().flat_map(of);
-    names.filter(|name| seen.insert(*name)).collect()
+    let [plane, round] = [Geometry::PlaneStrain, Geometry::Axisymmetric].map(of);
+    plane.into_iter().chain(round.into_iter().filter(|name| !plane.contains(name))).collect()
 }

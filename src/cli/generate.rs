@@ -43,17 +43,13 @@ impl ManArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let mut whole = Arguments::command();
         whole.build();
-        let page = match &self.command {
-            None => clap_mangen::Man::new(whole),
-            Some(name) => {
-                let Some(found) = whole.find_subcommand(name) else {
-                    let names: Vec<&str> = whole.get_subcommands().map(clap::Command::get_name).collect();
-                    let hint = format!("there are {}", names.join(", "));
-                    return Err(Failure::usage(format!("there is no subcommand `{name}`"), hint));
-                };
-                clap_mangen::Man::new(found.clone())
-            }
+        let command = match &self.command {
+            None => &whole,
+            Some(name) => whole.find_subcommand(name).ok_or_else(|| {
+                let names: Vec<&str> = whole.get_subcommands().map(clap::Command::get_name).collect();
+                Failure::usage(format!("there is no subcommand `{name}`"), format!("there are {}", names.join(", ")))
+            })?,
         };
-        Ok(page.render(out)?)
+        Ok(clap_mangen::Man::new(command.clone()).render(out)?)
     }
 }

@@ -35,8 +35,7 @@ impl GridArguments {
         let name = if self.file == Path::new("-") { Path::new("stdin") } else { &self.file };
         let text = self.text().map_err(|cause| Failure::file(&self.file, cause))?;
         let sweep = if std::str::from_utf8(&text).is_ok_and(Sweep::begins) {
-            let sweep = Sweep::from_reader(name, &text[..], &registry)?;
-            if self.vary.is_empty() { sweep } else { sweep.and_vary(self.vary.clone())? }
+            Sweep::from_reader(name, &text[..], &registry)?.and_vary(self.vary.clone())?
         } else {
             let scene = Scene::from_reader(&name.display().to_string(), &text[..], &registry).map_err(Error::from)?;
             if self.vary.is_empty() {
@@ -48,10 +47,8 @@ impl GridArguments {
             }
             Sweep::new(scene, self.vary.clone())?
         };
-        let sweep = match self.tolerance {
-            Some(tolerance) => sweep.with_options(Options { tolerance })?,
-            None => sweep,
-        };
+        let tolerance = self.tolerance.unwrap_or(sweep.options().tolerance);
+        let sweep = sweep.with_options(Options { tolerance })?;
         let sweep = if self.approach { sweep.with_approach() } else { sweep };
         Ok(if self.extremes { sweep.with_extremes() } else { sweep })
     }
@@ -63,12 +60,10 @@ impl GridArguments {
 
     /// The bytes of the file, at most as many as a scene may have.
     fn text(&self) -> io::Result<Vec<u8>> {
+        let is_input = self.file == Path::new("-");
+        let file: Box<dyn Read> = if is_input { Box::new(io::stdin()) } else { Box::new(File::open(&self.file)?) };
         let mut text = Vec::new();
-        let most = MAX_BYTES as u64 + 1;
-        match self.file == Path::new("-") {
-            true => io::stdin().lock().take(most).read_to_end(&mut text)?,
-            false => File::open(&self.file)?.take(most).read_to_end(&mut text)?,
-        };
+        file.take(MAX_BYTES as u64 + 1).read_to_end(&mut text)?;
         Ok(text)
     }
 }

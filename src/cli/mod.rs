@@ -8,7 +8,6 @@ mod init;
 mod list;
 mod merge;
 mod outputs;
-mod part_file;
 mod plot;
 mod profile;
 mod progress;
@@ -183,9 +182,9 @@ impl SceneFile {
 }
 
 /// The model of a scene's stack, and the solution under what presses in the scene.
-fn solved(scene: &Scene, options: &Options) -> Result<(Model, Solution), Error> {
+fn solved(scene: &Scene, tolerance: f64) -> Result<(Model, Solution), Error> {
     let solved = Model::new(scene.stack()?).and_then(|model| {
-        let solution = model.press_with(&scene.top, scene.force, options)?;
+        let solution = model.press_with(&scene.top, scene.force, &Options { tolerance })?;
         Ok((model, solution))
     });
     solved.map_err(|error| scene.locate(error))

@@ -1,8 +1,8 @@
 //! `recede plot`: the stack, its contacts and their pressures as a picture.
 use std::path::PathBuf;
 
+use recede::Scene;
 use recede::plot::{self, Kind, Picture};
-use recede::{Options, Scene};
 
 use super::{Failure, SceneFile, solved};
 
@@ -51,8 +51,7 @@ impl PlotArguments {
     pub fn run(&self) -> Result<(), Failure> {
         Kind::of(&self.out)?;
         let scene = self.file.read_for(&[&self.out])?;
-        let options = Options { tolerance: self.tolerance };
-        let (model, solution) = solved(&scene, &options)?;
+        let (model, solution) = solved(&scene, self.tolerance)?;
         let picture = plot::stack(&scene, model.stack(), &solution);
         Ok(plot::save(&self.out, &self.title.above(picture, &scene))?)
     }

@@ -2,8 +2,8 @@
 use std::io::Write;
 use std::path::PathBuf;
 
+use recede::profile_places;
 use recede::report::write_profile;
-use recede::{Options, profile_places};
 
 use super::{Failure, SceneFile, outputs, solved, warn};
 
@@ -45,8 +45,7 @@ impl ProfileArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         self.out.as_deref().map_or(Ok(()), |out| outputs::fits(out, &["csv"]))?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
-        let options = Options { tolerance: self.tolerance };
-        let (model, solution) = solved(&scene, &options)?;
+        let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
         let places = profile_places(&solution, self.to, self.points as usize);
         let profile = model.profile(&scene.top, &solution, &places)?;

@@ -31,11 +31,6 @@ impl Progress {
         Self { bar, told, what }
     }
 
-    /// Tells nothing.
-    pub(super) fn hidden() -> Self {
-        Self { bar: ProgressBar::hidden(), told: None, what: "" }
-    }
-
     /// One more is done.
     pub(super) fn step(&self) {
         self.bar.inc(1);

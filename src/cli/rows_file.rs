@@ -3,7 +3,7 @@
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use recede::files;
 use recede::report::SweepCsv;
@@ -44,8 +44,17 @@ pub(super) fn resume(
     }
     let mut file = open(path)?;
     let begun = begun(path, &file, csv, |_| Ok(rows.clone()), see)?;
-    if let Some(line) = begun.wrong {
-        return Err(wrong(path, line));
+    let (name, of_other) = (path.display(), "holds something else than rows of this sweep, or of this part of it");
+    match begun.wrong {
+        Some(1) => {
+            let hint = "without --resume it is begun anew, and what it holds is lost";
+            return Err(Failure::usage(format!("{name} {of_other}"), hint));
+        }
+        Some(line) => {
+            let hint = "if lines were damaged, remove this one and all below it: --resume computes them again";
+            return Err(Failure::usage(format!("{name}, line {line}, {of_other}"), hint));
+        }
+        None => {}
     }
     // half a line, if there is one, is made again
     file.set_len(begun.bytes).and_then(|()| file.seek(SeekFrom::Start(begun.bytes))).map_err(failed)?;
@@ -67,19 +76,6 @@ fn open(path: &Path) -> Result<File, Failure> {
         // some file systems have no locks
         Ok(()) | Err(TryLockError::Error(_)) => Ok(file),
     }
-}
-
-fn wrong(path: &Path, line: usize) -> Failure {
-    let name = path.display();
-    let of_other = "holds something else than rows of this sweep, or of this part of it";
-    if line == 1 {
-        let hint = "without --resume it is begun anew, and what it holds is lost";
-        return Failure::usage(format!("{name} {of_other}"), hint);
-    }
-    Failure::usage(
-        format!("{name}, line {line}, {of_other}"),
-        "if lines were damaged, remove this one and all below it: --resume computes them again",
-    )
 }
 
 /// The state of a file of lines, which may have been interrupted.
@@ -146,37 +142,22 @@ pub(super) fn begun(
     Ok(begun)
 }
 
-/// The kind of a file of rows, by its ending.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum RowsKind {
-    Csv,
-    Parquet,
-}
-
-impl RowsKind {
-    /// The kind of a file with this name: comma-separated values unless it ends with `.parquet`, which not every program can write.
-    pub(super) fn of(path: &Path) -> Result<Self, Failure> {
-        outputs::fits(path, &["csv", "parquet"])?;
-        if outputs::ending(path) != "parquet" {
-            return Ok(Self::Csv);
-        }
-        if cfg!(feature = "parquet") {
-            return Ok(Self::Parquet);
-        }
-        Err(Failure::usage(
+/// Whether a file of rows with this name is a Parquet file, which not every program can write, rather than one of comma-separated values.
+pub(super) fn is_parquet(path: &Path) -> Result<bool, Failure> {
+    outputs::fits(path, &["csv", "parquet"])?;
+    let is_parquet = outputs::ending(path) == "parquet";
+    if is_parquet && !cfg!(feature = "parquet") {
+        return Err(Failure::usage(
             format!("{}: this program was built without Parquet", path.display()),
             "build it with `--features parquet`, name a file that ends with .csv, or use `to_parquet` of the Python package",
-        ))
+        ));
     }
+    Ok(is_parquet)
 }
 
 /// Copies the lines of files whose lines were compared with the rows of the sweep to a file that appears when it is complete.
-pub(super) fn copy<'a>(
-    path: &Path,
-    csv: &SweepCsv,
-    parts: impl IntoIterator<Item = &'a PathBuf>,
-) -> Result<(), Failure> {
-    let kind = RowsKind::of(path)?;
+pub(super) fn copy<'a>(path: &Path, csv: &SweepCsv, parts: impl IntoIterator<Item = &'a Path>) -> Result<(), Failure> {
+    let is_parquet = is_parquet(path)?;
     let mut parts = parts.into_iter();
     let mut copy = |write: &mut dyn FnMut(&str) -> io::Result<()>| {
         parts.try_for_each(|part| {
@@ -184,9 +165,9 @@ pub(super) fn copy<'a>(
             lines.try_for_each(|line| write(&(line? + "\n")))
         })
     };
-    let written = files::replace(path, |out| match kind {
+    let written = files::replace(path, |out| match is_parquet {
         #[cfg(feature = "parquet")]
-        RowsKind::Parquet => {
+        true => {
             let mut file = recede::report::SweepParquet::new(csv, out)?;
             copy(&mut |line| file.write(line))?;
             file.finish().map(drop)

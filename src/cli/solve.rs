@@ -3,8 +3,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use recede::FieldError;
 use recede::report::{Format, Report};
-use recede::{Field, FieldError, Model, Options, Solution};
 
 use super::{Failure, SceneFile, outputs, solved, tell, warn};
 
@@ -66,17 +66,22 @@ impl SolveArguments {
         let format = self.format()?;
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let start = Instant::now();
-        let options = Options { tolerance: self.tolerance };
-        let (model, solution) = solved(&scene, &options)?;
+        let (model, solution) = solved(&scene, self.tolerance)?;
         let seconds = start.elapsed().as_secs_f64();
         // of the scene as a whole, and CSV has a line for each contact
         let is_told = format != Format::Csv;
         let approaches = if is_told { model.approaches(&scene.top, &solution) } else { Vec::new() };
-        let what = "the contacts are solved, the largest shear stress was not found:";
-        let is_wanted = self.searches(format);
-        let max_shear = is_wanted.then(|| searched(what, &model, &solution, Field::max_shear)).flatten();
-        let what = "the contacts are solved, the extremes were not found:";
-        let extremes = self.extremes.then(|| searched(what, &model, &solution, Field::extremes)).flatten();
+        let is_wanted = match format {
+            Format::Table => !self.no_fields,
+            Format::Json => self.fields,
+            // it has no column for the largest shear stress
+            Format::Csv => false,
+        };
+        let field = || model.field(&solution);
+        let failed = "the contacts are solved, the largest shear stress was not found:";
+        let max_shear = searched(is_wanted, failed, || field()?.max_shear());
+        let failed = "the contacts are solved, the extremes were not found:";
+        let extremes = searched(self.extremes, failed, || field()?.extremes());
         warn(&solution);
         if self.stats {
             tell(&solution.stats().to_string());
@@ -115,29 +120,10 @@ impl SolveArguments {
         }
         Ok(format)
     }
-
-    /// Whether the largest shear stress is printed: CSV has no column for it.
-    fn searches(&self, format: Format) -> bool {
-        match format {
-            Format::Table => !self.no_fields,
-            Format::Json => self.fields,
-            Format::Csv => false,
-        }
-    }
 }
 
-/// A result of a search in the fields of a solution. The contacts are solved without it, so that a failure is only a note.
-fn searched<T>(
-    what: &str,
-    model: &Model,
-    solution: &Solution,
-    search: impl Fn(&Field) -> Result<T, FieldError>,
-) -> Option<T> {
-    match model.field(solution).and_then(|field| search(&field)) {
-        Ok(found) => Some(found),
-        Err(error) => {
-            tell(&format!("note: {what} {error}\n"));
-            None
-        }
-    }
+/// The result of a search in the fields of a solution, if it is wanted. The contacts are solved without it, so that a failure is only a note.
+fn searched<T>(is_wanted: bool, failed: &str, search: impl Fn() -> Result<T, FieldError>) -> Option<T> {
+    let found = is_wanted.then(search)?;
+    found.inspect_err(|error| tell(&format!("note: {failed} {error}\n"))).ok()
 }

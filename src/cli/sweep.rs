@@ -13,7 +13,7 @@ use recede::{Part, Sweep};
 use super::grid::GridArguments;
 use super::plot::Title;
 use super::progress::Progress;
-use super::rows_file::{self, RowsKind};
+use super::rows_file;
 use super::{Failure, outputs, tell};
 
 /// Solve a scene for many values of some of its quantities
@@ -67,11 +67,11 @@ impl SweepArguments {
         }
         // that a picture cannot be written is better known before than after
         self.plot.as_deref().map(Kind::of).transpose()?;
-        let kind = self.out.as_deref().map_or(Ok(RowsKind::Csv), RowsKind::of)?;
+        let is_parquet = self.out.as_deref().map_or(Ok(false), rows_file::is_parquet)?;
         // a Parquet file is none before it is complete: rows are kept as lines until then
-        let lines = self.out.as_ref().map(|out| if kind == RowsKind::Parquet { lines_of(out) } else { out.clone() });
+        let lines = self.out.as_ref().map(|out| if is_parquet { lines_of(out) } else { out.clone() });
         let sweep = Arc::new(self.grid.sweep()?);
-        self.check_files(&sweep, lines.as_deref().filter(|_| kind == RowsKind::Parquet))?;
+        self.check_files(&sweep, lines.as_deref().filter(|_| is_parquet))?;
         let csv = SweepCsv::new(&sweep);
         let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
@@ -89,7 +89,9 @@ impl SweepArguments {
                 (Box::new(out) as Box<dyn Write>, 0)
             }
         };
-        let bar = progress(wanted.len(), done, self.out.is_some());
+        // rows on a terminal show by themselves how far the sweep has come
+        let is_shown = self.out.is_some() || !io::stdout().is_terminal();
+        let bar = is_shown.then(|| Progress::new("rows", wanted.len() as u64, done as u64));
         let mut unsolved = 0;
         let threads = self.threads.or_else(|| thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
         for row in sweep.parallel_rows(wanted.start + done..wanted.end, threads) {
@@ -98,11 +100,11 @@ impl SweepArguments {
             if drawn(row.index) {
                 rows.push(csv.point(&row));
             }
-            bar.step();
+            bar.iter().for_each(Progress::step);
         }
-        bar.finish();
-        if let (RowsKind::Parquet, Some(lines), Some(path)) = (kind, &lines, &self.out) {
-            rows_file::copy(path, &csv, [lines])?;
+        bar.iter().for_each(Progress::finish);
+        if let (true, Some(lines), Some(path)) = (is_parquet, &lines, &self.out) {
+            rows_file::copy(path, &csv, [&**lines])?;
             fs::remove_file(lines).map_err(|cause| Failure::file(lines, cause))?;
         }
         if unsolved > 0 {
@@ -130,12 +132,4 @@ fn lines_of(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(".csv");
     name.into()
-}
-
-/// How far the sweep has come, unless its rows on a terminal show it.
-fn progress(rows: usize, done: usize, rows_elsewhere: bool) -> Progress {
-    if !rows_elsewhere && io::stdout().is_terminal() {
-        return Progress::hidden();
-    }
-    Progress::new("rows", rows as u64, done as u64)
 }

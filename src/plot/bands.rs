@@ -161,18 +161,17 @@ mod tests {
         }
     }
 
+    /// The lines of zero of values on a grid, which are right to an error.
+    fn drawn(values: &[f64], [xs, ys]: [&[f64]; 2], error: f64) -> Vec<String> {
+        let mut picture = Picture::new(8.0, 4.0);
+        let bands = Bands::new(Scale::around(values.iter().copied()), Some(error));
+        bands.draw(&mut picture, &GridValues { xs, ys, values }, |at| at);
+        picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect()
+    }
+
     #[test]
     fn the_line_of_zero_leaves_the_border_out() {
-        let (xs, ys) = ([0.0, 1.0, 2.0], [0.0, 1.0]);
-        let values = [-1.0, 1.0, 1.0, -1.0, 1.0, 1.0];
-        let mut picture = Picture::new(2.0, 1.0);
-        Bands::new(Scale::around([-1.0, 1.0]), Some(0.0)).draw(
-            &mut picture,
-            &GridValues { xs: &xs, ys: &ys, values: &values },
-            |at| at,
-        );
-        let lines: Vec<_> =
-            picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect();
+        let lines = drawn(&[-1.0, 1.0, 1.0, -1.0, 1.0, 1.0], [&[0.0, 1.0, 2.0], &[0.0, 1.0]], 0.0);
         assert_eq!(lines.len(), 1);
         assert!(lines[0].contains("d=\"M0.5 ") && !lines[0].contains(" 2 "), "{lines:?}");
     }
@@ -185,24 +184,13 @@ mod tests {
         let value = |i: usize, j: usize| match i {
             0..4 => j as f64 - 2.0,
             4 => 1e-3 * (j as f64 - 2.0),
-            _ => {
-                if (i * 7 + j * 3) % 5 < 2 {
-                    -1e-5
-                } else {
-                    1e-5
-                }
-            }
+            _ if (i * 7 + j * 3) % 5 < 2 => -1e-5,
+            _ => 1e-5,
         };
         let values: Vec<f64> = (0..5).flat_map(|j| (0..9).map(move |i| value(i, j))).collect();
-        let drawn = |error: f64| {
-            let mut picture = Picture::new(8.0, 4.0);
-            let grid = GridValues { xs: &xs, ys: &ys, values: &values };
-            Bands::new(Scale::around([-2.0, 2.0]), Some(error)).draw(&mut picture, &grid, |at| at);
-            picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect::<Vec<_>>()
-        };
-        let known = drawn(1e-4);
+        let known = drawn(&values, [&xs, &ys], 1e-4);
         assert!(known.len() == 1 && known[0].contains("d=\"M0 2"), "{known:?}");
         assert!(!["6 ", "7 ", "8 "].iter().any(|x| known[0].contains(x)), "{known:?}");
-        assert!(drawn(0.0).len() > 1);
+        assert!(drawn(&values, [&xs, &ys], 0.0).len() > 1);
     }
 }

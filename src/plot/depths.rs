@@ -5,7 +5,7 @@ use super::scale::label;
 const LEAST: f64 = 9.0;
 /// Parts of a layer's height that count as to scale.
 const SAME: f64 = 1e-6;
-/// Halvings of the scale that is looked for.
+/// Halvings of the range in which a number is looked for.
 const HALVINGS: usize = 60;
 
 /// Depths that layers have, and the heights at which they are drawn, in points downwards from the first.
@@ -23,15 +23,11 @@ impl DrawnDepths {
         let thick: Vec<f64> = faces.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let least = LEAST.min(most / thick.len().max(1) as f64);
         let height = |scale: f64| thick.iter().map(|h| (scale * h).max(least)).sum::<f64>();
-        let [mut low, mut high] = [0.0, scale];
-        if height(scale) > most {
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                *(if height(middle) > most { &mut high } else { &mut low }) = middle;
-            }
+        let low = if height(scale) > most {
+            last_below(most, height, [0.0, scale])
         } else {
-            low = scale * (lowest / height(scale).max(f64::MIN_POSITIVE)).max(1.0);
-        }
+            scale * (lowest / height(scale).max(f64::MIN_POSITIVE)).max(1.0)
+        };
         let mut heights = vec![0.0];
         heights.extend(thick.iter().scan(0.0, |y, h| {
             *y += (low * h).max(least);
@@ -65,6 +61,15 @@ impl DrawnDepths {
             Some(format!("depths not to scale: layers drawn × {} to × {}", times(least), times(most)))
         }
     }
+}
+
+/// The number up to which an ascending function is no larger than `most`, between one where it is not and one where it is.
+pub(super) fn last_below(most: f64, function: impl Fn(f64) -> f64, [mut below, mut above]: [f64; 2]) -> f64 {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (below + above);
+        *(if function(middle) > most { &mut above } else { &mut below }) = middle;
+    }
+    below
 }
 
 #[cfg(test)]

@@ -3,11 +3,10 @@ use super::bands::{Bands, GridValues};
 use super::chart::{Chart, Frame, Labels, with_unit};
 use super::depths::DrawnDepths;
 use super::file::PlotError;
-use super::names::{self, Dimension, after, symbols, unit};
+use super::names::{self, Dimension, after, unit};
 use super::picture::{Anchor, Picture, Stroke, WHITE, italic};
-use super::punch::Presses;
 use super::scale::{Scale, short};
-use super::section::{self, WIDTH, contacts_at, hatching, interface};
+use super::section::{self, GROUND, Section, WIDTH, hatching};
 use super::style::{INK, SMALL};
 use crate::field::{Field, FieldPoint, FieldQuantity, Grid, Point};
 use crate::scene::{Punch, Scene};
@@ -21,8 +20,6 @@ const BEFORE_BAR: f64 = 12.0;
 /// Distance of lines of text below the map, and of the first from the map, in points.
 const LINE: f64 = 12.0;
 const BELOW: f64 = 46.0;
-/// Room for the sign of what does not move, in points.
-const GROUND: f64 = 12.0;
 /// Radius of the ring where the quantity is largest, in points.
 const RING: f64 = 3.2;
 /// Values that differ by less than this part are the same.
@@ -58,8 +55,9 @@ pub fn map(
     let depths = DrawnDepths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
     let error = error(field, grids, quantity);
     let value = |point: &FieldPoint| known(quantity.of_in(point, scene.geometry), error);
-    let clipped =
-        points().any(|point| is_singular(point, quantity)) || depth.0 <= 0.0 && rises(scene, solution, quantity);
+    // infinite or not defined because stresses are infinite at this point
+    let is_singular = |point: &FieldPoint| point.sigma_yy.is_infinite() && !quantity.of(point).is_finite();
+    let clipped = points().any(is_singular) || depth.0 <= 0.0 && rises(scene, solution, quantity);
     let values = range(points().map(value), clipped).ok_or_else(|| {
         let name = quantity.name_in(scene.geometry);
         PlotError::Empty(format!("{name} is infinite or not known at all points of the map"))
@@ -77,7 +75,9 @@ pub fn map(
         curves: Vec::new(),
         labels: Labels::AtEnds,
     };
-    let map = Map { scene, solution, layers, on_ground, quantity, clipped, largest, chart, note: depths.note() };
+    let middle = chart.place((0.0, 0.0)).0;
+    let section = Section::new(scene, solution, chart.place((1.0, 0.0)).0 - middle, middle);
+    let map = Map { section, layers, on_ground, quantity, clipped, largest, chart, note: depths.note() };
     // colours reach the value that is called the largest
     let values = match &map.largest {
         Some(Largest { point: (x, at, _), value, .. }) if !clipped && map.shows(*x, *at) => values.with(*value),
@@ -115,11 +115,6 @@ fn error(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> f64 {
 /// Whether a quantity may have both signs.
 fn is_signed(quantity: FieldQuantity) -> bool {
     !matches!(quantity, FieldQuantity::MaxShear | FieldQuantity::VonMises)
-}
-
-/// Whether a quantity is infinite or not defined because stresses are infinite at this point.
-fn is_singular(point: &FieldPoint, quantity: FieldQuantity) -> bool {
-    point.sigma_yy.is_infinite() && !quantity.of(point).is_finite()
 }
 
 /// Whether a quantity is infinite somewhere on the face on which the punch presses, be it between the points of a grid.
@@ -180,8 +175,7 @@ impl Largest {
 }
 
 struct Map<'a> {
-    scene: &'a Scene,
-    solution: &'a Solution,
+    section: Section<'a>,
     /// Numbers of the layers, and the depths at which they begin and end.
     layers: Vec<(usize, [f64; 2])>,
     /// Whether what does not move begins at the lower end.
@@ -203,9 +197,7 @@ impl Map<'_> {
             self.bands(&mut picture, grid, bands);
         }
         if self.chart.y.ends().0 <= 0.0 {
-            let ((middle, _), (one, _)) = (self.chart.place((0.0, 0.0)), self.chart.place((1.0, 0.0)));
-            let (scene, force, contact) = (self.scene, self.solution.force(), self.solution.contacts().first());
-            Presses { scene, force, contact, scale: one - middle, middle }.draw(&mut picture);
+            self.section.presses(&mut picture);
         }
         if self.on_ground {
             hatching(&mut picture, bottom);
@@ -213,8 +205,8 @@ impl Map<'_> {
         let beside = right + self.interfaces(&mut picture);
         let ground = if self.on_ground { GROUND } else { 0.0 };
         self.chart.draw_with(&mut picture, ground);
-        let (name, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
-        let title = with_unit(&name, unit(self.scene, dimension).as_deref(), bands.scale.power());
+        let (name, dimension) = names::of_quantity(self.quantity, self.section.scene.geometry);
+        let title = with_unit(&name, unit(self.section.scene, dimension).as_deref(), bands.scale.power());
         let lowest = bottom.max(top + BAR);
         bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest, &title);
         if let Some(Largest { point: (x, depth, _), .. }) = self.largest
@@ -233,7 +225,7 @@ impl Map<'_> {
 
     fn bands(&self, picture: &mut Picture, grid: &Grid, bands: &Bands) {
         let ys: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
-        let geometry = self.scene.geometry;
+        let geometry = self.section.scene.geometry;
         let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, geometry)).collect();
         if ys.len() < 2 || values.iter().all(|value| value.is_nan()) {
             // not known in this layer: left white
@@ -248,8 +240,7 @@ impl Map<'_> {
     /// to the right.
     fn interfaces(&self, picture: &mut Picture) -> f64 {
         let Frame { top, bottom, .. } = self.chart.frame;
-        let (contacts, (first, last)) = (self.solution.contacts(), self.chart.y.ends());
-        let symbols = symbols(contacts.iter().map(|contact| contact.interface));
+        let (first, last) = self.chart.y.ends();
         let height = |depth: f64| self.chart.place((0.0, depth.clamp(first, last))).1;
         let touching = Stroke { colour: INK, width: 2.4, dash: None };
         let mut labels: Vec<(f64, String)> = Vec::new();
@@ -262,13 +253,12 @@ impl Map<'_> {
         let numbers: Vec<usize> = self.layers.iter().map(|(number, _)| *number).collect();
         let ends = self.layers.last().map(|(_, [_, to])| *to);
         let faces = self.layers.iter().map(|(_, [from, _])| *from).chain(ends);
-        for (depth, found) in faces.zip(contacts_at(contacts, &numbers)) {
+        for (depth, found) in faces.zip(self.section.contacts_at(&numbers)) {
             if depth < first || depth > last * (1.0 + SAME) {
                 continue;
             }
-            let place = |x: f64| self.chart.place((x, 0.0)).0;
-            interface(picture, found.map(|i| &contacts[i]), height(depth), place, touching);
-            labels.extend(found.map(|i| (height(depth), names::reach(self.scene, &contacts[i], &symbols[i].0))));
+            self.section.interface(picture, found, height(depth), touching);
+            labels.extend(found.map(|i| (height(depth), self.section.reach(i))));
         }
         section::labels(picture, labels, Anchor::Left, [top, bottom], "labels")
     }
@@ -280,9 +270,10 @@ impl Map<'_> {
 
     /// Lines of text below the map.
     fn notes(&self) -> Vec<String> {
-        let (_, dimension) = names::of_quantity(self.quantity, self.scene.geometry);
-        let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
-        let along = italic(self.scene.geometry.words().along);
+        let scene = self.section.scene;
+        let (_, dimension) = names::of_quantity(self.quantity, scene.geometry);
+        let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(scene, dimension));
+        let along = italic(scene.geometry.words().along);
         let mut notes = Vec::new();
         if let Some(Largest { point: (x, depth, layer), value, overall }) = &self.largest {
             let what = match (overall, self.shows(*x, *depth)) {

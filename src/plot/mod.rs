@@ -32,7 +32,6 @@ mod names;
 mod page;
 mod pdf;
 mod picture;
-mod planes;
 mod png;
 mod pressure;
 mod punch;

@@ -24,12 +24,6 @@ pub(super) fn after(scene: &Scene, dimension: Dimension) -> String {
     unit(scene, dimension).map_or(String::new(), |unit| format!(" {unit}"))
 }
 
-/// The distance from the middle, with its letter in italics.
-fn distance(scene: &Scene) -> String {
-    let Words { along, distance, .. } = scene.geometry.words();
-    distance.replace(along, &italic(along))
-}
-
 /// The punch or load in short lines: its kind, then its sizes, as they are written in a scene; several by their number.
 pub(super) fn of_top(scene: &Scene) -> Vec<String> {
     let punch = scene.top.punch().or_else(|| scene.top.even_punch());
@@ -44,14 +38,11 @@ pub(super) fn of_top(scene: &Scene) -> Vec<String> {
         let (name, dimension) = of_path(scene, &field.name);
         Some(format!("{name} = {}{}", short(number), after(scene, dimension)))
     };
-    let kind = words(node.name.as_deref().unwrap_or_default()) + load;
+    // in words: `RoundedFlat` as "rounded flat"
+    let spaced = |c: char| if c.is_uppercase() { format!(" {c}") } else { c.to_string() };
+    let kind: String = node.name.as_deref().unwrap_or_default().chars().map(spaced).collect();
+    let kind = kind.trim_start().to_lowercase() + load;
     [kind].into_iter().chain(node.fields().iter().filter_map(size)).collect()
-}
-
-/// The name of a kind in words: `RoundedFlat` as "rounded flat".
-fn words(name: &str) -> String {
-    let spaced: String = name.chars().map(|c| if c.is_uppercase() { format!(" {c}") } else { c.to_string() }).collect();
-    spaced.trim_start().to_lowercase()
 }
 
 /// Which bodies touch there.
@@ -91,7 +82,8 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     } else {
         "∞".to_owned()
     };
-    let along = if contact.is_even() { distance(scene) } else { italic(scene.geometry.words().along) };
+    let Words { along, distance, .. } = scene.geometry.words();
+    let along = if contact.is_even() { distance } else { along }.replace(along, &italic(along));
     let place = format!("at {along} = {}{}", short(peak.x), after(scene, Dimension::LENGTH));
     let is_aside = (peak.x - contact.about.unwrap_or(0.0)).abs() > peak.x_error;
     let aside = is_aside.then_some(place);

@@ -2,7 +2,7 @@
 use pdf_writer::{Content, Filter, Finish, Pdf, Rect, Ref};
 use tiny_skia::{Path, PathSegment, Point};
 
-use super::picture::{Colour, DrawnShape, Picture};
+use super::picture::{DrawnShape, Picture, Stroke};
 
 /// Effort of the compression, from 0 to 10.
 const EFFORT: u8 = 6;
@@ -35,16 +35,15 @@ impl Picture {
 /// Draws one shape; one without extent is left out.
 fn draw(content: &mut Content, shape: &DrawnShape) {
     let Some(path) = shape.path() else { return };
-    match shape {
-        DrawnShape::Line { stroke, .. } => {
-            let [r, g, b] = rgb(stroke.colour);
-            let dash = stroke.dash.map_or(Vec::new(), |(dash, space)| vec![dash as f32, space as f32]);
-            content.set_stroke_rgb(r, g, b).set_line_width(stroke.width as f32).set_dash_pattern(dash, 0.0);
-        }
-        DrawnShape::Area { colour, .. } | DrawnShape::Text { colour, .. } => {
-            let [r, g, b] = rgb(*colour);
-            content.set_fill_rgb(r, g, b);
-        }
+    let (DrawnShape::Line { stroke: Stroke { colour, .. }, .. }
+    | DrawnShape::Area { colour, .. }
+    | DrawnShape::Text { colour, .. }) = shape;
+    let [r, g, b] = [colour.r, colour.g, colour.b].map(|part| f32::from(part) / 255.0);
+    if let DrawnShape::Line { stroke, .. } = shape {
+        let dash = stroke.dash.map_or(Vec::new(), |(dash, space)| vec![dash as f32, space as f32]);
+        content.set_stroke_rgb(r, g, b).set_line_width(stroke.width as f32).set_dash_pattern(dash, 0.0);
+    } else {
+        content.set_fill_rgb(r, g, b);
     }
     outline(content, &path);
     match shape {
@@ -52,10 +51,6 @@ fn draw(content: &mut Content, shape: &DrawnShape) {
         DrawnShape::Area { .. } => content.fill_even_odd(),
         DrawnShape::Text { .. } => content.fill_nonzero(),
     };
-}
-
-fn rgb(colour: Colour) -> [f32; 3] {
-    [colour.r, colour.g, colour.b].map(|part| f32::from(part) / 255.0)
 }
 
 fn outline(content: &mut Content, path: &Path) {

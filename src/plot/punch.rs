@@ -1,13 +1,13 @@
 //! The punches above a stack, and the forces on them; or the loads in their place.
 use super::chart::APART;
+use super::depths::last_below;
 use super::names::{after, of_top};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
-use super::section::{ASIDE, WIDTH};
+use super::section::{ASIDE, Section, WIDTH};
 use super::style::{INK, PUNCH, SMALL, TEXT};
-use crate::scene::{Pressed, Punches, Scene, Tilt, Top};
-use crate::solution::Contact;
+use crate::scene::{Pressed, Punches, Tilt, Top};
 
 /// Greatest height of the punch, in points.
 const HIGHEST: f64 = 34.0;
@@ -15,27 +15,14 @@ const HIGHEST: f64 = 34.0;
 const SEEN: f64 = 10.0;
 /// Points of its outline on each side.
 const POINTS: usize = 100;
-/// Halvings of the place where the outline leaves the drawing.
-const HALVINGS: usize = 50;
 /// Room between two punches, in points.
 const BETWEEN: f64 = 4.0;
 /// Distance of the arrows of a load, in points.
 const ARROWS: f64 = 13.0;
 
-/// Punches or loads with their forces, and the scale of the drawing.
-pub(super) struct Presses<'a> {
-    pub(super) scene: &'a Scene,
-    pub(super) force: f64,
-    /// The contact under the punch, which is drawn as deep as it touches.
-    pub(super) contact: Option<&'a Contact>,
-    /// Points per length.
-    pub(super) scale: f64,
-    /// Where x = 0 is: the drawing reaches from 0 to its [`WIDTH`], and the top face of the stack is at height 0.
-    pub(super) middle: f64,
-}
-
-impl Presses<'_> {
-    pub(super) fn draw(&self, picture: &mut Picture) {
+impl Section<'_> {
+    /// Punches or loads with their forces.
+    pub(super) fn presses(&self, picture: &mut Picture) {
         let mut names = of_top(self.scene);
         let unit = after(self.scene, self.scene.force_dimension());
         let force = format!("{} = {}{unit}", italic("P"), short(self.scene.force.given().unwrap_or(self.force)));
@@ -92,7 +79,8 @@ impl Presses<'_> {
         // at its very edge the height may be infinite
         let profile = |x: f64| punch.profile(x.clamp(first * (1.0 - 1e-12), last * (1.0 - 1e-12))) + angle * x;
         let step = |from: f64, to: f64, i: usize| from + (to - from) * i as f64 / (2 * POINTS) as f64;
-        let alone = self.contact.filter(|_| self.scene.top.punches().is_some_and(|all| all.parts().count() == 1));
+        let alone =
+            self.contacts.first().filter(|_| self.scene.top.punches().is_some_and(|all| all.parts().count() == 1));
         let lowest = match alone {
             // no flank touches the face beyond the ends of the contact
             Some(contact) => contact.ends().map(|end| profile(end - pressed.at())).into_iter().fold(f64::MIN, f64::max),
@@ -127,7 +115,7 @@ impl Presses<'_> {
 
     /// Pressures as curves with arrows, lines as arrows.
     fn loads(&self, picture: &mut Picture) {
-        let curves = self.contact.map_or(Vec::new(), |contact| pressure(self.scene, contact));
+        let curves = self.contacts.first().map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curves);
         for curve in &curves {
             let at = |(x, p): &(f64, f64)| (self.x(*x).clamp(0.0, WIDTH), -HIGHEST * p.min(most) / most);
@@ -148,14 +136,6 @@ impl Presses<'_> {
         for x in lines(self.scene).into_iter().map(|x| self.x(x)).filter(|x| self.sees(*x)) {
             arrow(picture, x, -3.0, HIGHEST + 8.0);
         }
-    }
-
-    fn x(&self, x: f64) -> f64 {
-        self.middle + self.scale * x
-    }
-
-    fn sees(&self, x: f64) -> bool {
-        (0.0..=WIDTH).contains(&x)
     }
 }
 
@@ -180,12 +160,7 @@ fn times(rise: f64) -> f64 {
 fn end_below(height: &impl Fn(f64) -> f64, end: f64) -> f64 {
     let step = |i: usize| end * i as f64 / POINTS as f64;
     let Some(beyond) = (1..=POINTS).find(|i| height(step(*i)) > HIGHEST) else { return end };
-    let [mut inside, mut outside] = [step(beyond - 1), step(beyond)];
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (inside + outside);
-        *(if height(middle) > HIGHEST { &mut outside } else { &mut inside }) = middle;
-    }
-    inside
+    last_below(HIGHEST, height, [step(beyond - 1), step(beyond)])
 }
 
 /// An arrow that points down to a tip.
@@ -198,13 +173,15 @@ fn arrow(picture: &mut Picture, x: f64, tip: f64, length: f64) {
 mod tests {
     use super::*;
     use crate::plot::picture::{Colour, DrawnShape};
+    use crate::scene::Scene;
 
     /// The outlines of the bodies that are drawn above a face at height 0, x = 0 at 170 and 20 points per length, and the tips of their arrows.
     fn drawn(punches: &str) -> (Vec<Vec<(f64, f64)>>, Vec<f64>) {
         let scene = format!("Scene(geometry: PlaneStrain, punches: [{punches}], stack: [Rigid])");
         let scene = Scene::from_ron(&scene).unwrap();
         let mut picture = Picture::new(340.0, 100.0);
-        Presses { scene: &scene, force: 1.0, contact: None, scale: 20.0, middle: 170.0 }.draw(&mut picture);
+        Section { scene: &scene, force: 1.0, contacts: &[], symbols: Vec::new(), scale: 20.0, middle: 170.0 }
+            .presses(&mut picture);
         assert!(picture.is_finite());
         let areas = |wanted: Colour| {
             let area = move |shape: &DrawnShape| match shape {

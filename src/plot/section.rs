@@ -1,9 +1,11 @@
 //! Parts of all pictures of a stack: interfaces with their contacts, labels beside them, and the hatching of the rigid ground.
 use super::chart::beside;
 use super::letters::width;
+use super::names::{reach, symbols};
 use super::picture::{Anchor, Picture, Stroke};
 use super::style::{FAINT, INK, SMALL, hair};
-use crate::solution::{Contact, Interface, Interval};
+use crate::scene::Scene;
+use crate::solution::{Contact, Interface, Interval, Solution};
 
 /// Distance of the strokes of the ground, and how far they reach down, in points.
 const APART: f64 = 9.0;
@@ -12,6 +14,8 @@ pub(super) const ASIDE: f64 = 9.0;
 const LINE: f64 = 7.0;
 /// Width of the drawing, without what is left and right of it, in points.
 pub(super) const WIDTH: f64 = 340.0;
+/// Room for the sign of what does not move, in points.
+pub(super) const GROUND: f64 = 12.0;
 
 /// Strokes below a line at the height `y`: what does not move.
 pub(super) fn hatching(picture: &mut Picture, y: f64) {
@@ -23,37 +27,69 @@ pub(super) fn hatching(picture: &mut Picture, y: f64) {
     }
 }
 
-/// Which contact each interface of layers with these numbers is, from the top face down to the lower face of the last layer.
-pub(super) fn contacts_at(contacts: &[Contact], numbers: &[usize]) -> Vec<Option<usize>> {
-    let is_at = |interface: Interface, face: usize| match interface {
-        Interface::Punch => face == 0,
-        // the ground below the last layer is none of the layers
-        Interface::Between { above, .. } if face == numbers.len() => numbers.last() == Some(&above),
-        Interface::Between { below, .. } => numbers[face] == below,
-    };
-    (0..=numbers.len()).map(|face| contacts.iter().position(|contact| is_at(contact.interface, face))).collect()
+/// A section through a stack in a drawing that reaches from 0 to its [`WIDTH`], with the top face of the stack at height 0.
+pub(super) struct Section<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) force: f64,
+    /// From the top down; a punch is drawn as deep as it touches.
+    pub(super) contacts: &'a [Contact],
+    /// The symbols of their half-lengths and pressures.
+    pub(super) symbols: Vec<(String, String)>,
+    /// Points per length.
+    pub(super) scale: f64,
+    /// Where x = 0 is.
+    pub(super) middle: f64,
 }
 
-/// An interface from side to side of a drawing at the height `y`: as bold as `touching` where bodies touch, dashed where they have opened.
-pub(super) fn interface(
-    picture: &mut Picture,
-    contact: Option<&Contact>,
-    y: f64,
-    place: impl Fn(f64) -> f64,
-    touching: Stroke,
-) {
-    let open = match contact.map(|contact| contact.interface) {
-        Some(Interface::Between { .. }) => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
-        Some(Interface::Punch) | None => hair(INK),
-    };
-    let mut from = 0.0;
-    for Interval { left: start, right: stop, .. } in contact.map_or(&[][..], Contact::intervals) {
-        let [start, stop] = [*start, *stop].map(|x| place(x).clamp(0.0, WIDTH));
-        picture.line(&[(from, y), (start, y)], open);
-        picture.line(&[(start, y), (stop, y)], touching);
-        from = stop;
+impl<'a> Section<'a> {
+    pub(super) fn new(scene: &'a Scene, solution: &'a Solution, scale: f64, middle: f64) -> Self {
+        let (force, contacts) = (solution.force(), solution.contacts());
+        let symbols = symbols(contacts.iter().map(|contact| contact.interface));
+        Self { scene, force, contacts, symbols, scale, middle }
     }
-    picture.line(&[(from, y), (WIDTH, y)], open);
+
+    pub(super) fn x(&self, x: f64) -> f64 {
+        self.middle + self.scale * x
+    }
+
+    pub(super) fn sees(&self, x: f64) -> bool {
+        (0.0..=WIDTH).contains(&x)
+    }
+
+    /// Which contact each interface of layers with these numbers is, from the top face down to the lower face of the last layer.
+    pub(super) fn contacts_at(&self, numbers: &[usize]) -> Vec<Option<usize>> {
+        let is_at = |interface: Interface, face: usize| match interface {
+            Interface::Punch => face == 0,
+            // the ground below the last layer is none of the layers
+            Interface::Between { above, .. } if face == numbers.len() => numbers.last() == Some(&above),
+            Interface::Between { below, .. } => numbers[face] == below,
+        };
+        let of = |face| self.contacts.iter().position(|contact| is_at(contact.interface, face));
+        (0..=numbers.len()).map(of).collect()
+    }
+
+    /// An interface, which is a contact if one is found there, from side to side at the height `y`: as bold as `touching` where bodies touch,
+    /// dashed where they have opened.
+    pub(super) fn interface(&self, picture: &mut Picture, found: Option<usize>, y: f64, touching: Stroke) {
+        let contact = found.map(|i| &self.contacts[i]);
+        let open = match contact.map(|contact| contact.interface) {
+            Some(Interface::Between { .. }) => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
+            Some(Interface::Punch) | None => hair(INK),
+        };
+        let mut from = 0.0;
+        for Interval { left: start, right: stop, .. } in contact.map_or(&[][..], Contact::intervals) {
+            let [start, stop] = [*start, *stop].map(|x| self.x(x).clamp(0.0, WIDTH));
+            picture.line(&[(from, y), (start, y)], open);
+            picture.line(&[(start, y), (stop, y)], touching);
+            from = stop;
+        }
+        picture.line(&[(from, y), (WIDTH, y)], open);
+    }
+
+    /// How far bodies touch in a contact.
+    pub(super) fn reach(&self, contact: usize) -> String {
+        reach(self.scene, &self.contacts[contact], &self.symbols[contact].0)
+    }
 }
 
 /// Labels on the left (anchored at their right ends) or on the right of a drawing between two heights, with lines to what they name unless that is next to them; of too many the first
@@ -66,13 +102,13 @@ pub(super) fn labels(
     more: &str,
 ) -> f64 {
     let (side, out) = if anchor == Anchor::Right { (0.0, -1.0) } else { (WIDTH, 1.0) };
-    let mut reach: f64 = 0.0;
+    let mut farthest: f64 = 0.0;
     for (at, y, text) in beside(labels, top, bottom, more) {
         if (y - at).abs() > 2.0 {
             picture.line(&[(side + out, at), (side + out * LINE, y)], hair(FAINT));
         }
         picture.text((side + out * ASIDE, y), &text, SMALL, INK, anchor);
-        reach = reach.max(ASIDE + width(&text, SMALL));
+        farthest = farthest.max(ASIDE + width(&text, SMALL));
     }
-    reach
+    farthest
 }

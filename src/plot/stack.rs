@@ -1,15 +1,14 @@
 //! A stack drawn with its punch and contacts, and the pressures below it.
 use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::depths::DrawnDepths;
-use super::names::{self, Dimension, after, index, symbols, unit};
+use super::names::{self, Dimension, after, index, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
-use super::punch::Presses;
 use super::scale::{Scale, short};
-use super::section::{self, WIDTH, contacts_at, hatching, interface};
+use super::section::{self, GROUND, Section, WIDTH, hatching};
 use super::style::{INK, SMALL, curve};
 use crate::scene::Scene;
-use crate::solution::{Contact, Interval, Solution};
+use crate::solution::Solution;
 use crate::stack::{Group, Placed, Stack};
 
 /// Greatest height of the layers together, in points.
@@ -25,8 +24,6 @@ const SLICES: usize = 48;
 const SLICE: f64 = 0.5;
 /// A modulus that changes by less than this part is the same everywhere.
 const VARIES: f64 = 1e-9;
-/// Room for the sign of what does not move, in points.
-const GROUND: f64 = 12.0;
 /// If the largest pressures of two contacts differ by more than this factor, all are drawn in parts of their largest.
 const DIFFERENT: f64 = 20.0;
 /// Contacts that have a line in the list of pressures, at most.
@@ -53,14 +50,11 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let is_ground = stack.base().foundation().half_plane().is_none();
     let base = if is_ground { None } else { Some(depths.height() + BASE) };
     let drawing = Drawing {
-        scene,
+        section: Section::new(scene, solution, scale, 0.5 * WIDTH - scale * middle),
         stack,
         is_ground,
         layers,
-        contacts: solution.contacts(),
-        symbols: symbols(solution.contacts().iter().map(|contact| contact.interface)),
         middle,
-        scale,
         bottom: base.unwrap_or(depths.height() + GROUND),
         heights: depths.heights.iter().copied().chain(base).collect(),
     };
@@ -69,8 +63,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     if let Some(note) = depths.note() {
         picture.text((0.0, drawing.bottom + 8.0), &note, SMALL, INK, Anchor::Left);
     }
-    let (force, contact, middle) = (solution.force(), drawing.contacts.first(), drawing.x(0.0));
-    Presses { scene, force, contact, scale, middle }.draw(&mut picture);
+    drawing.section.presses(&mut picture);
     drawing.interfaces(&mut picture);
     drawing.pressures(&mut picture);
     picture.fitted()
@@ -78,18 +71,14 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
 
 /// A stack with its places in the drawing: the top face lies at height 0.
 struct Drawing<'a> {
-    scene: &'a Scene,
+    section: Section<'a>,
     stack: &'a Stack,
     /// Whether what does not move is below the layers.
     is_ground: bool,
     /// From the top down, a half-plane included.
     layers: Vec<&'a Placed>,
-    contacts: &'a [Contact],
-    symbols: Vec<(String, String)>,
     /// x in the middle of the width.
     middle: f64,
-    /// Points per length along the layers.
-    scale: f64,
     /// Heights of the faces of the layers, from the top down.
     heights: Vec<f64>,
     /// Height at which the base ends.
@@ -97,10 +86,6 @@ struct Drawing<'a> {
 }
 
 impl Drawing<'_> {
-    fn x(&self, x: f64) -> f64 {
-        0.5 * WIDTH + self.scale * (x - self.middle)
-    }
-
     /// The shear modulus of a layer at its upper face, in its middle and at its lower face, or as deep as a half-plane is drawn.
     fn moduli(&self, placed: &Placed) -> [f64; 3] {
         [0.0, 0.5, 1.0].map(|part| self.modulus(placed, part))
@@ -108,8 +93,8 @@ impl Drawing<'_> {
 
     /// The shear modulus at a part of what is drawn of a layer.
     fn modulus(&self, placed: &Placed, part: f64) -> f64 {
-        let depth = part * placed.layer.thickness().unwrap_or(BASE / self.scale);
-        placed.layer.material(depth, self.scene.geometry.plane()).shear_compliance.recip()
+        let depth = part * placed.layer.thickness().unwrap_or(BASE / self.section.scale);
+        placed.layer.material(depth, self.section.scene.geometry.plane()).shear_compliance.recip()
     }
 
     /// The layers from the top down, light where they are soft and darker where they are stiff by orders of magnitude, with what they are
@@ -147,7 +132,8 @@ impl Drawing<'_> {
 
     /// Thickness and modulus of a layer.
     fn name(&self, placed: &Placed) -> String {
-        let [stress, length] = [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.scene, dimension));
+        let [stress, length] =
+            [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.section.scene, dimension));
         let [modulus, _, below] = self.moduli(placed).map(short);
         let number = index(placed.number);
         let thick = placed.layer.thickness();
@@ -163,25 +149,19 @@ impl Drawing<'_> {
     /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.
     fn interfaces(&self, picture: &mut Picture) {
         let numbers: Vec<usize> = self.layers.iter().map(|placed| placed.number).collect();
+        let contacts = self.section.contacts;
         let mut labels = Vec::new();
-        let faces = contacts_at(self.contacts, &numbers).into_iter().zip(&self.heights).enumerate();
+        let faces = self.section.contacts_at(&numbers).into_iter().zip(&self.heights).enumerate();
         for (face, (found, y)) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
-            let contact = found.map(|i| &self.contacts[i]);
-            let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), self.contacts.len()) };
+            let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), contacts.len()) };
             if self.is_ground && face == self.layers.len() {
-                interface(picture, None, *y, |x| self.x(x), touching);
+                self.section.interface(picture, None, *y, touching);
             }
-            interface(picture, contact, *y, |x| self.x(x), touching);
-            for end in contact
-                .map_or(&[][..], Contact::intervals)
-                .iter()
-                .flat_map(|Interval { left, right, .. }| [left, right])
-            {
-                let x = self.x(*end);
+            self.section.interface(picture, found, *y, touching);
+            labels.extend(found.map(|i| (*y, self.section.reach(i))));
+            let intervals = found.map_or(&[][..], |i| contacts[i].intervals());
+            for x in intervals.iter().flat_map(|own| [own.left, own.right]).map(|end| self.section.x(end)) {
                 picture.line(&[(x, y - 4.0), (x, y + 4.0)], Stroke { width: 1.2, ..touching });
-            }
-            if let Some(i) = found {
-                labels.push((*y, names::reach(self.scene, &self.contacts[i], &self.symbols[i].0)));
             }
         }
         section::labels(picture, labels, Anchor::Right, [0.0, self.bottom], "contacts");
@@ -189,24 +169,23 @@ impl Drawing<'_> {
 
     /// The pressures over x, below the contacts where they act: in parts of their largest, if these are very different.
     fn pressures(&self, picture: &mut Picture) {
-        let (scene, count) = (self.scene, self.contacts.len());
-        let half = 0.5 * WIDTH / self.scale;
-        let curves: Vec<Vec<Vec<(f64, f64)>>> = self.contacts.iter().map(|contact| pressure(scene, contact)).collect();
+        let Section { scene, contacts, scale, ref symbols, .. } = self.section;
+        let (count, half) = (contacts.len(), 0.5 * WIDTH / scale);
+        let curves: Vec<Vec<Vec<(f64, f64)>>> = contacts.iter().map(|contact| pressure(scene, contact)).collect();
         // an infinite pressure is drawn as far as its curve goes
         let peaks: Vec<f64> = curves.iter().map(|curves| highest(curves)).collect();
         let pressed = || peaks.iter().copied().filter(|peak| *peak > 0.0);
         let (least, most) = (pressed().fold(f64::INFINITY, f64::min), pressed().fold(0.0, f64::max));
         let relative = most > DIFFERENT * least;
         // where nothing but concentrated forces press: their mean over what is drawn
-        let force = self.contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
+        let force = contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
         let height = if most > 0.0 { most } else { force / scene.geometry.size(-half, half) };
         let y = Scale::around([0.0, if relative { 1.0 } else { height }]).rounded();
-        let lines = lines(scene).into_iter().map(|x| vec![(x, 0.0), (x, y.ends().1)]);
-        let lines: Vec<Curve> =
-            lines.map(|points| Curve { points, stroke: curve(0, count), label: String::new() }).collect();
-        let drawn = self.contacts.iter().zip(&curves).enumerate().map(|(i, (contact, parts))| {
+        let top = y.ends().1;
+        let line = |x| Curve { points: vec![(x, 0.0), (x, top)], stroke: curve(0, count), label: String::new() };
+        let drawn = contacts.iter().zip(&curves).enumerate().map(|(i, (contact, parts))| {
             let unit = if relative && peaks[i] > 0.0 { peaks[i] } else { 1.0 };
-            let name = format!("{}, {}", self.symbols[i].1, names::of_contact(scene, contact.interface));
+            let name = format!("{}, {}", symbols[i].1, names::of_contact(scene, contact.interface));
             let name = [name].into_iter().chain(names::largest(scene, contact)).collect::<Vec<_>>().join("\n");
             let label = if hidden(i, count, LISTED) { String::new() } else { name };
             // intervals are curves of their own
@@ -222,7 +201,7 @@ impl Drawing<'_> {
             x_unit: unit(scene, Dimension::LENGTH),
             y_label: if relative { "pressure / its largest" } else { "contact pressure" }.into(),
             y_unit: unit(scene, Dimension::STRESS).filter(|_| !relative),
-            curves: drawn.chain(lines).collect(),
+            curves: drawn.chain(lines(scene).into_iter().map(line)).collect(),
             labels: Labels::Listed,
         };
         chart.draw(picture);

@@ -2,12 +2,12 @@
 use super::bands::{Bands, GridValues};
 use super::chart::{Chart, Curve, Frame, Labels, hidden, with_unit};
 use super::file::PlotError;
-use super::names::{of_path, unit};
+use super::names::{Dimension, of_contact, of_path, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke};
-use super::planes::{CONTACTS, SweepPlane, number, planes, scale_of, step};
 use super::scale::{Scale, distinct};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::axis::Axis;
+use crate::solution::Contact;
 use crate::sweep::{Sweep, SweepPoint};
 
 /// Distance of the middle of a heading from the plane below, in points.
@@ -26,10 +26,15 @@ const CURVES: usize = 200;
 const FEWEST: usize = 6;
 /// Most places along each axis of a map.
 const MOST: usize = 100;
+/// Most contacts that have a column.
+const CONTACTS: usize = 6;
+/// Values of equal ratio over at least such a range are drawn so.
+const WIDE: f64 = 8.0;
 
 /// The axes of the planes of a picture, and the size of a plane.
 struct Layout<'a> {
     sweep: &'a Sweep,
+    points: &'a [SweepPoint],
     /// The axis along x: with curves that with most values.
     along: usize,
     /// The axis along y; `None` for curves.
@@ -44,7 +49,7 @@ struct Layout<'a> {
 /// Whether a picture of a sweep needs the row with this number: of a large grid equally spaced ones are drawn, at most a
 /// thousand along a curve and two hundred curves.
 pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
-    let Some(Layout { along, most, .. }) = Layout::of(sweep) else { return true };
+    let Some(Layout { along, most, .. }) = Layout::of(sweep, &[]) else { return true };
     let counts: Vec<usize> = sweep.axes().iter().map(Axis::count).collect();
     // the last axis changes fastest
     let (count, within) = (counts[along], counts[along + 1..].iter().product::<usize>());
@@ -63,46 +68,44 @@ pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
 /// # Errors
 /// [`PlotError::Empty`] if no axis has two values.
 pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError> {
-    let layout =
-        Layout::of(sweep).ok_or_else(|| PlotError::Empty("a curve needs a quantity that takes two values".into()))?;
-    let planes = planes(sweep, points);
-    let last = planes.iter().map(|plane| plane.place[0]).max().unwrap_or(0);
-    let families = layout.families(points);
+    let empty = || PlotError::Empty("a curve needs a quantity that takes two values".into());
+    let layout = Layout::of(sweep, points).ok_or_else(empty)?;
+    let families = layout.families();
     let mut picture = Picture::new(layout.size[0], layout.size[1]);
     let mut jumping = false;
-    for plane in &planes {
+    for plane in &layout.planes() {
         let frame = layout.frame(plane.place);
         let middle = 0.5 * (frame.left + frame.right);
         picture.text((middle, frame.top - HEADING), &plane.what, TEXT, INK, Anchor::Centre);
         if layout.up.is_some() {
-            layout.map(&mut picture, plane, points);
+            layout.map(&mut picture, plane);
         } else {
-            let is_labelled = plane.place[0] == last && families.len() > 1;
-            jumping |= layout.curves(&mut picture, plane, points, &families, is_labelled);
+            jumping |= layout.curves(&mut picture, plane, &families);
         }
     }
-    let right = layout.frame([last, 0]).right;
+    let right = layout.frame([layout.last(), 0]).right;
     for (i, axis) in layout.others().into_iter().rev().enumerate() {
         let (title, unit) = layout.name(axis);
         let place = (right + HEADING, -1.8 * HEADING - i as f64 * 1.3 * TEXT);
         picture.text(place, &with_unit(&title, unit.as_deref(), 0), TEXT, INK, Anchor::Left);
     }
-    layout.notes(&mut picture, points, jumping);
+    layout.notes(&mut picture, jumping);
     Ok(picture.fitted())
 }
 
 impl<'a> Layout<'a> {
     /// `None` if no axis has two values.
-    fn of(sweep: &'a Sweep) -> Option<Self> {
+    fn of(sweep: &'a Sweep, points: &'a [SweepPoint]) -> Option<Self> {
         let count = |i: &usize| sweep.axes()[*i].count();
         let varied: Vec<usize> = (0..sweep.axes().len()).filter(|i| count(i) > 1).collect();
         Some(match varied[..] {
             [y, x] if count(&x).min(count(&y)) >= FEWEST => {
-                Self { sweep, along: x, up: Some(y), most: [MOST; 2], size: [200.0, 150.0], apart: [330.0, 222.0] }
+                let (along, up, most) = (x, Some(y), [MOST; 2]);
+                Self { sweep, points, along, up, most, size: [200.0, 150.0], apart: [330.0, 222.0] }
             }
             _ => {
-                let along = varied.iter().copied().max_by_key(count)?;
-                Self { sweep, along, up: None, most: [POINTS, CURVES], size: [215.0, 145.0], apart: [285.0, 209.0] }
+                let (along, up, most) = (varied.iter().copied().max_by_key(count)?, None, [POINTS, CURVES]);
+                Self { sweep, points, along, up, most, size: [215.0, 145.0], apart: [285.0, 209.0] }
             }
         })
     }
@@ -111,6 +114,49 @@ impl<'a> Layout<'a> {
     fn frame(&self, place: [usize; 2]) -> Frame {
         let [left, top] = [0, 1].map(|k| place[k] as f64 * self.apart[k]);
         Frame { left, top, right: left + self.size[0], bottom: top + self.size[1] }
+    }
+
+    /// The last column of the picture.
+    fn last(&self) -> usize {
+        self.sweep.contacts().take(CONTACTS).count().saturating_sub(1)
+    }
+
+    /// Two planes for each contact: how far it reaches, and its largest pressure, or the pressure at x = 0 where the largest is infinite.
+    fn planes(&self) -> Vec<SweepPlane> {
+        let (sweep, scene) = (self.sweep, self.sweep.scene());
+        let contacts: Vec<_> = sweep.contacts().collect();
+        let symbols = symbols(contacts.iter().map(|(interface, _)| *interface));
+        let mut planes = Vec::new();
+        for (i, ((interface, punch), (length, pressure))) in contacts.iter().zip(&symbols).enumerate().take(CONTACTS) {
+            let column = |name: &str| {
+                let of_contact = Contact::COLUMNS.iter().position(|column| *column == name).unwrap_or(0);
+                sweep.axes().len() + Contact::COLUMNS.len() * i + of_contact
+            };
+            let known = |column: usize| self.points.iter().filter(move |point| number(point, column).is_finite());
+            let (half, right) = (column("half_length"), column("right"));
+            let whole = known(right).all(|point| number(point, half).is_finite());
+            let half_length = scene.geometry.words().half_length;
+            let (end, reach) = match (whole, scene.top.is_even()) {
+                (true, _) => (half, format!("{half_length} {length}")),
+                (false, true) => (right, "outer end of the contact".to_owned()),
+                (false, false) => (right, "right end of the contact".to_owned()),
+            };
+            let (peak, centre) = (column("peak_pressure"), column("central_pressure"));
+            let finite = known(peak).next().is_some();
+            let (at, name) =
+                if finite { (peak, format!("largest {pressure}")) } else { (centre, format!("{pressure}(0)")) };
+            let quantities = [(end, reach, Dimension::LENGTH), (at, name, Dimension::STRESS)];
+            let what =
+                punch.map_or_else(|| of_contact(scene, *interface), |punch| format!("under punch {}", punch + 1));
+            planes.extend(quantities.into_iter().enumerate().map(|(line, (column, label, dimension))| SweepPlane {
+                what: if line == 0 { what.clone() } else { String::new() },
+                place: [i, line],
+                column,
+                label,
+                unit: unit(scene, dimension),
+            }));
+        }
+        planes
     }
 
     /// The axes with two values that are neither along x nor along y.
@@ -134,7 +180,7 @@ impl<'a> Layout<'a> {
         Chart { frame, x, y, x_label, x_unit, y_label, y_unit, curves, labels: Labels::AtEnds }
     }
 
-    fn map(&self, picture: &mut Picture, plane: &SweepPlane, points: &[SweepPoint]) {
+    fn map(&self, picture: &mut Picture, plane: &SweepPlane) {
         let axes = [self.along, self.up.unwrap_or(self.along)];
         let [xs, ys] = [0, 1].map(|k| {
             let axis = &self.sweep.axes()[axes[k]];
@@ -143,7 +189,7 @@ impl<'a> Layout<'a> {
             places
         });
         let mut values = vec![f64::NAN; xs.len() * ys.len()];
-        for point in points {
+        for point in self.points {
             let at = |list: &[f64], axis: usize| list.binary_search_by(|at| at.total_cmp(&number(point, axis))).ok();
             if let (Some(column), Some(line)) = (at(&xs, axes[0]), at(&ys, axes[1])) {
                 values[line * xs.len() + column] = number(point, plane.column);
@@ -159,19 +205,13 @@ impl<'a> Layout<'a> {
     }
 
     /// Curves with marks; whether one of them jumps.
-    fn curves(
-        &self,
-        picture: &mut Picture,
-        plane: &SweepPlane,
-        points: &[SweepPoint],
-        families: &[(String, Vec<usize>)],
-        is_labelled: bool,
-    ) -> bool {
+    fn curves(&self, picture: &mut Picture, plane: &SweepPlane, families: &[(String, Vec<usize>)]) -> bool {
+        let is_labelled = plane.place[0] == self.last() && families.len() > 1;
         let place = |point: &SweepPoint| (number(point, self.along), number(point, plane.column));
         let gap = (f64::NAN, f64::NAN);
         let (mut curves, mut jumping) = (Vec::new(), false);
         for (i, (label, rows)) in families.iter().enumerate() {
-            let mut points: Vec<(f64, f64)> = rows.iter().map(|row| place(&points[*row])).collect();
+            let mut points: Vec<(f64, f64)> = rows.iter().map(|row| place(&self.points[*row])).collect();
             let jumps = jumps(&points);
             jumping |= !jumps.is_empty();
             let dotted = Stroke { dash: Some((1.0, 2.5)), ..hair(FAINT) };
@@ -182,10 +222,10 @@ impl<'a> Layout<'a> {
             curves.push(Curve { points, stroke: curve(i, families.len()), label });
             curves.push(Curve { points: over, stroke: dotted, label: String::new() });
         }
-        let y = Scale::around(points.iter().map(|point| place(point).1)).rounded();
+        let y = Scale::around(self.points.iter().map(|point| place(point).1)).rounded();
         let chart = self.chart(plane, y, curves);
         chart.draw(picture);
-        for point in points {
+        for point in self.points {
             let (x, y) = chart.place(place(point));
             if point.warned && y.is_finite() {
                 picture.circle((x, y), 2.6, hair(INK));
@@ -199,14 +239,14 @@ impl<'a> Layout<'a> {
     }
 
     /// The rows that differ on the axis along x only, in the order of the grid, and what they have in common.
-    fn families(&self, points: &[SweepPoint]) -> Vec<(String, Vec<usize>)> {
+    fn families(&self) -> Vec<(String, Vec<usize>)> {
         let texts = self.others().into_iter().map(|axis| {
-            let values: Vec<f64> = points.iter().map(|point| number(point, axis)).collect();
+            let values: Vec<f64> = self.points.iter().map(|point| number(point, axis)).collect();
             distinct(&values)
         });
         let texts: Vec<Vec<String>> = texts.collect();
         let mut families: Vec<(String, Vec<usize>)> = Vec::new();
-        for row in 0..points.len() {
+        for row in 0..self.points.len() {
             let label = texts.iter().map(|of_axis| &of_axis[row][..]).collect::<Vec<_>>().join(", ");
             match families.iter_mut().find(|(found, _)| *found == label) {
                 Some((_, rows)) => rows.push(row),
@@ -217,13 +257,13 @@ impl<'a> Layout<'a> {
     }
 
     /// Lines of text below the planes that explain the marks, and name contacts that are not drawn.
-    fn notes(&self, picture: &mut Picture, points: &[SweepPoint], jumping: bool) {
+    fn notes(&self, picture: &mut Picture, jumping: bool) {
         let left_out = self.sweep.contacts().count().saturating_sub(CONTACTS);
         let mark = if self.up.is_some() { "white" } else { "cross" };
-        let marked = self.up.is_none() && points.iter().any(|point| point.warned);
+        let marked = self.up.is_none() && self.points.iter().any(|point| point.warned);
         let notes = [
             (marked, "circle: a warning, see the column `message`".to_owned()),
-            (points.iter().any(|point| !point.solved), format!("{mark}: no solution, see the column `message`")),
+            (self.points.iter().any(|point| !point.solved), format!("{mark}: no solution, see the column `message`")),
             (jumping, "dotted: the curve jumps".to_owned()),
             (left_out > 0, format!("not drawn: {left_out} more contacts")),
         ];
@@ -232,6 +272,37 @@ impl<'a> Layout<'a> {
             picture.text((0.0, top + 1.3 * SMALL * i as f64), &note, SMALL, INK, Anchor::Left);
         }
     }
+}
+
+/// One plane of the picture: a column of numbers of one contact.
+struct SweepPlane {
+    /// Which contact, and how far right and down the plane is.
+    what: String,
+    place: [usize; 2],
+    /// The column of the numbers.
+    column: usize,
+    label: String,
+    unit: Option<String>,
+}
+
+/// A number of a row; NaN where it has none.
+fn number(point: &SweepPoint, column: usize) -> f64 {
+    point.numbers.get(column).copied().unwrap_or(f64::NAN)
+}
+
+/// The least step with which so many are at most so few.
+fn step(count: usize, most: usize) -> usize {
+    count.div_ceil(most).max(1)
+}
+
+/// The scale of values: logarithmic if their ratios are equal and span much.
+fn scale_of(axis: &Axis, most: usize) -> Scale {
+    let values: Vec<f64> = axis.values().step_by(step(axis.count(), most)).collect();
+    let scale = Scale::around(values.iter().copied());
+    let (low, high) = scale.ends();
+    let ratios = || values.windows(2).map(|pair| pair[1] / pair[0]);
+    let same = ratios().next().is_some_and(|first| ratios().all(|ratio| (ratio / first - 1.0).abs() < 1e-6));
+    if low > 0.0 && high / low >= WIDE && values.len() > 2 && same { scale.logarithmic() } else { scale }
 }
 
 /// After which points a curve jumps.

@@ -135,10 +135,7 @@ impl<W: Write + Send> SweepParquet<W> {
 /// The error of the file below, if it is one.
 fn failed(error: ParquetError) -> io::Error {
     match error {
-        ParquetError::External(cause) => match cause.downcast::<io::Error>() {
-            Ok(cause) => *cause,
-            Err(cause) => io::Error::other(cause),
-        },
+        ParquetError::External(cause) => cause.downcast().map_or_else(io::Error::other, |cause| *cause),
         other => io::Error::other(other),
     }
 }

@@ -79,8 +79,9 @@ impl<'a> SweepCsv<'a> {
                 let warnings = solution.warnings();
                 let not_found = row.extremes.as_ref().and_then(|found| found.as_ref().err());
                 let not_found = not_found.map(|error| format!("extremes were not found: {error}"));
+                let codes: Vec<&str> = warnings.iter().map(|warning| warning.code.as_str()).collect();
                 let messages = warnings.iter().map(|warning| &warning.message[..]).chain(not_found.as_deref());
-                (SOLVED, joined(warnings.iter().map(|warning| warning.code.as_str()), " "), joined(messages, "; "))
+                (SOLVED, codes.join(" "), messages.collect::<Vec<_>>().join("; "))
             }
             Err(error) => (UNSOLVED[usize::from(!error.is_input())], String::new(), error.to_string()),
         };
@@ -166,6 +167,8 @@ impl<'a> SweepCsv<'a> {
 /// The columns of numbers by name, with the numbers of a row; NaN for what it does not have, and without a row.
 fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
     let value = |k: usize| row.map_or(f64::NAN, |row| row.values[k]);
+    // a name that needs no quotes in other programs: `layer[2].beta` becomes `layer_2_beta`
+    let column = |path: &str| path.replace(['[', '.'], "_").replace(']', "");
     let mut cells: Vec<(String, f64)> =
         sweep.axes().iter().enumerate().map(|(k, axis)| (column(axis.path()), value(k))).collect();
     let solution = row.and_then(|row| row.result.as_ref().ok());
@@ -199,21 +202,12 @@ fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
     cells
 }
 
-/// The name of a column, which needs no quotes in other programs: `layer[2].beta` becomes `layer_2_beta`.
-fn column(path: &str) -> String {
-    path.replace(['[', '.'], "_").replace(']', "")
-}
-
 /// How the columns of a contact begin.
 pub(super) fn owner(interface: &Interface) -> String {
     match interface {
         Interface::Punch => "punch".to_owned(),
         Interface::Between { above, below } => format!("contact_{above}_{below}"),
     }
-}
-
-fn joined<'a>(texts: impl Iterator<Item = &'a str>, between: &str) -> String {
-    texts.collect::<Vec<_>>().join(between)
 }
 
 /// The fields of one line with its end; `None` for anything else.

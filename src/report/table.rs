@@ -33,45 +33,40 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         writeln!(out, "{interface} by collocation with {nodes} nodes: residual {residual}, pressures differ by {off}")?;
     }
     let of_stiffness = if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
+    let Words { along, distance, .. } = scene.geometry.words();
     let approach = |k: usize| approaches.get(k).and_then(|found| found.as_ref().ok());
+    let sunk = |found: &Approach| format!("approach {}{length}, ", digits.with_error(found.value, found.error));
     match (solution.punches(), approach(0)) {
-        ([], Some(approach)) => sunk(approach, digits, [length, &report.unit(of_stiffness)], out)?,
+        ([], Some(approach)) => {
+            let stiffness = match approach.stiffness {
+                Stiffness::Known { value, error } => {
+                    format!("stiffness {}{}", digits.with_error(value, error), report.unit(of_stiffness))
+                }
+                Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
+            };
+            writeln!(out, "{}{stiffness}", sunk(approach))?;
+        }
         (punches, _) => {
+            let force_unit = report.unit(Dimension::FORCE);
             for (k, Carried { tilt, moment, .. }) in punches.iter().enumerate() {
                 let name = if punches.len() == 1 { "punch".to_owned() } else { format!("punch {}", k + 1) };
-                let sunk = approach(k).map_or_else(String::new, |approach| {
-                    format!("approach {}{length}, ", digits.with_error(approach.value, approach.error))
-                });
+                let sunk = approach(k).map_or_else(String::new, sunk);
                 let [tilt, moment] = [tilt, moment].map(|number| to_digits(*number, 6));
-                writeln!(
-                    out,
-                    "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{}",
-                    report.unit(Dimension::FORCE)
-                )?;
+                writeln!(out, "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{force_unit}")?;
             }
         }
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (to_digits(*value, 5), to_digits(*x, 4), to_digits(*depth, 4));
-        writeln!(
-            out,
-            "largest shear stress {value}{stress} at {} = {x}{length}, depth {depth}{length} in layer {layer}",
-            scene.geometry.words().along
-        )?;
+        let place = format!("{along} = {x}{length}, depth {depth}{length} in layer {layer}");
+        writeln!(out, "largest shear stress {value}{stress} at {place}")?;
     }
     if let Some(extremes) = report.extremes {
-        let Words { along, distance, .. } = scene.geometry.words();
         let place = if solution.is_even() { distance } else { along };
         writeln!(out, "{}", extremes::table(extremes, place, digits, [length, stress]))?;
     }
-    writeln!(
-        out,
-        "{} modes, {} wavenumbers, {} Newton steps, {}",
-        solution.modes(),
-        solution.wavenumbers(),
-        solution.newton_steps(),
-        duration(*seconds)
-    )
+    let [modes, wavenumbers, steps] = [solution.modes(), solution.wavenumbers(), solution.newton_steps()];
+    writeln!(out, "{modes} modes, {wavenumbers} wavenumbers, {steps} Newton steps, {}", duration(*seconds))
 }
 
 /// A line for each contact.
@@ -94,15 +89,6 @@ fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
     table
 }
 
-/// How far the punch has sunk, and the stiffness.
-fn sunk(approach: &Approach, digits: Digits, [length, stress]: [&str; 2], out: &mut dyn io::Write) -> io::Result<()> {
-    let stiffness = match approach.stiffness {
-        Stiffness::Known { value, error } => format!("stiffness {}{stress}", digits.with_error(value, error)),
-        Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
-    };
-    writeln!(out, "approach {}{length}, {stiffness}", digits.with_error(approach.value, approach.error))
-}
-
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
 fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn io::Write) -> io::Result<()> {
     let (solution, digits) = (report.solution, Digits(report.digits));
@@ -114,23 +100,19 @@ fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn 
             for &Interval { left, left_error, right, right_error, force, .. } in contact.intervals() {
                 let share = digits.rounded(force) + line_load;
                 let (from, to) = (place(digits, left, left_error), place(digits, right, right_error) + length);
-                match left + right {
-                    0.0 if right > 0.0 => writeln!(out, "{name}: {distance} < {to} carries {share}")?,
-                    0.0 => writeln!(out, "{name}: {along} = 0 carries {share}")?,
-                    _ if !is_even && left == right => writeln!(out, "{name}: {along} = {to} carries {share}")?,
-                    _ if !is_even => writeln!(out, "{name}: {along} from {from} to {to} carries {share}")?,
-                    middle if middle < 0.0 => {}
+                let carried = match left + right {
+                    0.0 if right > 0.0 => format!("{distance} < {to} carries {share}"),
+                    0.0 => format!("{along} = 0 carries {share}"),
+                    _ if !is_even && left == right => format!("{along} = {to} carries {share}"),
+                    _ if !is_even => format!("{along} from {from} to {to} carries {share}"),
+                    middle if middle < 0.0 => continue,
                     _ if report.scene.geometry.is_axisymmetric() => {
-                        let ring = digits.rounded(2.0 * force) + line_load;
-                        writeln!(out, "{name}: {along} from {from} to {to} carries {ring}")?;
+                        format!("{along} from {from} to {to} carries {}", digits.rounded(2.0 * force) + line_load)
                     }
-                    _ if left == right => {
-                        writeln!(out, "{name}: {along} = {to} and {along} = -{to} carry {share} each")?
-                    }
-                    _ => {
-                        writeln!(out, "{name}: {along} from {from} to {to}, and its mirror image, carry {share} each")?
-                    }
-                }
+                    _ if left == right => format!("{along} = {to} and {along} = -{to} carry {share} each"),
+                    _ => format!("{along} from {from} to {to}, and its mirror image, carry {share} each"),
+                };
+                writeln!(out, "{name}: {carried}")?;
             }
         }
         let peak = contact.peak();

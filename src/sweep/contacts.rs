@@ -29,6 +29,8 @@ impl Sweep {
             (0..self.scene.stack.len()).map(|index| self.choice(index)).collect::<Result<_, _>>()?;
         self.check_fullest(&choices).map_err(|error| self.scene.locate(error))?;
         let mut found = vec![Interface::Punch];
+        // a layer that is no base
+        let is_layer = |item: &Option<Item>| matches!(item, Some(Item::Layer(layer)) if layer.thickness().is_some());
         for (above, _) in choices.iter().enumerate().filter(|(_, choice)| is_layer(&choice.there)) {
             for below in (above + 1..choices.len()).filter(|below| !is_interface(&choices[*below])) {
                 if choices[below].there.is_some() {
@@ -52,7 +54,9 @@ impl Sweep {
             StackProblem::TooManyLayers(_) | StackProblem::TooManyReceding(_) => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())
             }
-            StackProblem::TooThick | StackProblem::Contrast { .. } => self.stacks() == 1,
+            StackProblem::TooThick | StackProblem::Contrast { .. } => {
+                self.values_of(|owner| matches!(owner, Owner::Item(_))) == 1
+            }
             _ => true,
         };
         if only { Err(error.into()) } else { Ok(()) }
@@ -82,7 +86,7 @@ impl Sweep {
             }
         }
         match refused {
-            Some(error) if choice.is_unknown() => {
+            Some(error) if choice.there.is_none() && choice.missing.is_none() => {
                 let known =
                     own.len() <= 2 && own.iter().zip(&extremes).all(|((axis, _), own)| axis.count() == own.len());
                 if known { Err(error.into()) } else { Ok(Choice::any(self.scene.stack[index].clone())) }
@@ -99,22 +103,15 @@ impl Choice {
         place.get_or_insert(item);
     }
 
-    fn is_unknown(&self) -> bool {
-        self.there.is_none() && self.missing.is_none()
-    }
-
     /// An item of which nothing is known: a column too many is better than one that is not there.
     fn any(item: Item) -> Self {
+        // of unit shear modulus in the place of any other layer of finite thickness
+        let strip = |thickness: f64| Homogeneous::new(thickness, 1.0, 0.25).ok().map(Item::layer);
         match &item {
             Item::Layer(layer) if layer.thickness().is_some() => Self { there: strip(1.0), missing: strip(0.0) },
             _ => Self { there: Some(item), missing: None },
         }
     }
-}
-
-/// A layer of unit shear modulus in the place of any other of finite thickness.
-fn strip(thickness: f64) -> Option<Item> {
-    Homogeneous::new(thickness, 1.0, 0.25).ok().map(Item::layer)
 }
 
 /// The contact of two layers, if all between them are missing.
@@ -130,9 +127,4 @@ fn contact_between(choices: &[Choice], above: usize, below: usize) -> Option<Int
 
 fn is_interface(choice: &Choice) -> bool {
     choice.there.as_ref().is_some_and(Item::is_interface)
-}
-
-/// Whether there is a layer, which is no base.
-fn is_layer(item: &Option<Item>) -> bool {
-    matches!(item, Some(Item::Layer(layer)) if layer.thickness().is_some())
 }

@@ -80,7 +80,7 @@ impl Sweep {
         let model = self.models.get(&of_stack, || {
             let stack = Stack::from_items(self.scene.geometry, &self.scene.with_changes(&of_stack)?.stack)?;
             let model = Model::new(stack)?;
-            Ok(if self.forces() >= MANY { model.for_many_loads() } else { model })
+            Ok(if self.values_of(|owner| owner == Owner::Force) >= MANY { model.for_many_loads() } else { model })
         })?;
         let Scene { top, force, .. } = self.scene.with_changes(&others)?;
         let solution = model.press_with(&top, force, &self.options)?;

@@ -320,16 +320,6 @@ impl Sweep {
         hasher.finish()
     }
 
-    /// Number of different stacks.
-    fn stacks(&self) -> usize {
-        self.values_of(|owner| matches!(owner, Owner::Item(_)))
-    }
-
-    /// Number of different forces, or of what is prescribed in their place, for each stack and punch.
-    fn forces(&self) -> usize {
-        self.values_of(|owner| owner == Owner::Force)
-    }
-
     /// How many different values all quantities of some parts of a scene have together.
     fn values_of(&self, wanted: impl Fn(Owner) -> bool) -> usize {
         let axes = self.axes.iter().zip(&self.slots).filter(|(_, slot)| wanted(slot.owner));

@@ -1,5 +1,5 @@
-//! Chunks solved by several threads, and their rows put in order again.
-use std::collections::BTreeMap;
+//! Chunks solved by several threads; the rows of each chunk come through a channel of its own, so that all come in order.
+use std::collections::VecDeque;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,30 +29,28 @@ pub struct ParallelRows {
     chunk: usize,
     /// Chunks still to be given to the threads.
     waiting: Range<usize>,
-    orders: Sender<Range<usize>>,
-    solved: Receiver<SolvedRow>,
-    /// Rows that came before their time.
-    early: BTreeMap<usize, Row>,
+    orders: Sender<Order>,
+    /// Where the rows of the chunks come that the threads have been given.
+    ahead: VecDeque<Receiver<Row>>,
 }
 
-/// The number of a row and the row; none if something broke.
-type SolvedRow = (usize, Option<Row>);
+/// Rows to be solved, and where they are handed over.
+type Order = (Range<usize>, Sender<Row>);
 
 impl ParallelRows {
     pub(super) fn new(sweep: Arc<Sweep>, rows: Range<usize>, threads: NonZeroUsize) -> Self {
         let (orders, todo) = channel();
-        let (done, solved) = channel();
         let todo = Arc::new(Mutex::new(todo));
         let chunk = (sweep.len() / FEWEST).clamp(1, LONGEST);
         let rows = rows.start.min(sweep.len())..rows.end.min(sweep.len());
         let waiting = rows.start / chunk..rows.end.div_ceil(chunk);
         let threads = threads.get().min(waiting.len());
         for _ in 0..threads {
-            let (sweep, todo, done) = (Arc::clone(&sweep), Arc::clone(&todo), done.clone());
+            let (sweep, todo) = (Arc::clone(&sweep), Arc::clone(&todo));
             // who asks does what is not done by threads
-            let _ = thread::Builder::new().name("sweep".into()).spawn(move || work(&sweep, &todo, &done));
+            let _ = thread::Builder::new().name("sweep".into()).spawn(move || work(&sweep, &todo));
         }
-        let mut ahead = Self { sweep, rows, chunk, waiting, orders, solved, early: BTreeMap::new() };
+        let mut ahead = Self { sweep, rows, chunk, waiting, orders, ahead: VecDeque::new() };
         (0..AHEAD * threads).for_each(|_| ahead.order());
         ahead
     }
@@ -61,21 +59,9 @@ impl ParallelRows {
     fn order(&mut self) {
         if let Some(next) = self.waiting.next() {
             let rows = next * self.chunk..(next + 1) * self.chunk;
-            let _ = self.orders.send(rows.start.max(self.rows.start)..rows.end.min(self.rows.end));
-        }
-    }
-
-    fn wait_for(&mut self, index: usize) -> Row {
-        loop {
-            if let Some(row) = self.early.remove(&index) {
-                return row;
-            }
-            match self.solved.recv() {
-                Ok((solved, Some(row))) => self.early.insert(solved, row),
-                // if it breaks again, then where it is seen
-                Ok((broken, None)) => self.early.insert(broken, self.sweep.row(broken)),
-                Err(_) => return self.sweep.row(index),
-            };
+            let (done, solved) = channel();
+            let _ = self.orders.send((rows.start.max(self.rows.start)..rows.end.min(self.rows.end), done));
+            self.ahead.push_back(solved);
         }
     }
 }
@@ -85,22 +71,23 @@ impl Iterator for ParallelRows {
 
     fn next(&mut self) -> Option<Row> {
         let index = self.rows.next()?;
-        if index % self.chunk == 0 {
+        let solved = self.ahead.front().and_then(|chunk| chunk.recv().ok());
+        if (index + 1) % self.chunk == 0 {
+            self.ahead.pop_front();
             self.order();
         }
-        Some(self.wait_for(index))
+        // if it has broken and breaks again, then where it is seen
+        Some(solved.unwrap_or_else(|| self.sweep.row(index)))
     }
 }
 
-/// Solves chunks until none is left, or the receiver is gone.
-fn work(sweep: &Sweep, todo: &Mutex<Receiver<Range<usize>>>, done: &Sender<SolvedRow>) {
+/// Solves chunks until none is left, or the receiver is gone; what is left of a chunk in which something breaks is not solved.
+fn work(sweep: &Sweep, todo: &Mutex<Receiver<Order>>) {
     let next = || todo.lock().unwrap_or_else(PoisonError::into_inner).recv();
-    while let Ok(rows) = next() {
-        for index in rows {
-            let row = catch_unwind(AssertUnwindSafe(|| sweep.row(index)));
-            if done.send((index, row.ok())).is_err() {
-                return;
-            }
+    while let Ok((mut rows, done)) = next() {
+        let solve = || rows.all(|index| done.send(sweep.row(index)).is_ok());
+        if let Ok(false) = catch_unwind(AssertUnwindSafe(solve)) {
+            return;
         }
     }
 }

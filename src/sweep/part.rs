@@ -1,6 +1,5 @@
 //! A part of the rows of a sweep, so that many machines can share it.
 use std::fmt;
-use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::str::FromStr;
 
@@ -23,7 +22,7 @@ use std::str::FromStr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Part {
     number: usize,
-    of: NonZeroUsize,
+    of: usize,
 }
 
 /// Why something is no part of a sweep.
@@ -43,19 +42,19 @@ impl Part {
     /// [`PartError`] if `of` is 0, or `number` is not from 1 to `of`.
     pub fn new(number: usize, of: usize) -> Result<Self, PartError> {
         let failed = |reason: String| PartError { part: format!("{number}/{of}"), reason };
-        let Some(parts) = NonZeroUsize::new(of) else {
+        if of == 0 {
             return Err(failed("found 0 parts, allowed are 1 or more".into()));
-        };
+        }
         if !(1..=of).contains(&number) {
             return Err(failed(format!("found part {number} of {of}, allowed are parts 1 to {of}")));
         }
-        Ok(Self { number, of: parts })
+        Ok(Self { number, of })
     }
 
     /// The numbers, from 0, of the rows of this part, if there are `len` rows in all.
     pub fn rows(self, len: usize) -> Range<usize> {
         // the product of two numbers need not fit into their type, and the quotient is no more than `len`
-        let end = |number: usize| (number as u128 * len as u128 / self.of.get() as u128) as usize;
+        let end = |number: usize| (number as u128 * len as u128 / self.of as u128) as usize;
         end(self.number - 1)..end(self.number)
     }
 }

@@ -52,10 +52,7 @@ impl Sweep {
         let file = file.as_ref();
         let Written { scene, vary, tolerance } = read_document(&file.display().to_string(), reader, "the sweep")?;
         let (scene, reader) = open(&file.with_file_name(scene))?;
-        let sweep = Self::new(Scene::from_reader(&scene, reader, registry)?, vary)?;
-        match tolerance {
-            Some(tolerance) => sweep.with_options(Options { tolerance }),
-            None => Ok(sweep),
-        }
+        let tolerance = tolerance.unwrap_or(Options::default().tolerance);
+        Self::new(Scene::from_reader(&scene, reader, registry)?, vary)?.with_options(Options { tolerance })
     }
 }

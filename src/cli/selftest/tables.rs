@@ -105,8 +105,7 @@ pub(super) fn estimates(ended: &[Ended], out: &mut dyn Write) -> io::Result<()> 
     let mut bold: Vec<_> = all().filter(|(_, one)| one.excess() > EXCESS).collect();
     bold.sort_by(|(_, a), (_, b)| b.excess().total_cmp(&a.excess()));
     writeln!(out, "{} errors more than {EXCESS} times their estimate", bold.len())?;
-    for (number, one) in bold.iter().take(2 * LISTED) {
-        let Comparison { contact, quantity, error, estimate, blur } = one;
+    for (number, Comparison { contact, quantity, error, estimate, blur }) in bold.iter().take(2 * LISTED) {
         writeln!(
             out,
             "  scene {number}, {quantity} at {contact}: error {error:.1e}, estimate {estimate:.1e}, \
