@@ -1,8 +1,6 @@
 //! Pieces of the layers, and the stresses at the Chebyshev points of each.
 use super::body::DepthRow;
 use super::error::FieldError;
-use super::joints::set_of;
-use super::measure::Extent;
 use super::pressure::ContactPressure;
 use super::waves::Precision;
 use super::{Field, FieldPoint};
@@ -121,9 +119,9 @@ impl PieceSample {
 }
 
 impl Pieces {
-    /// All that is searched.
-    pub(super) fn all(field: &Field, extent: Extent) -> Vec<Self> {
-        let mut all: Vec<Self> = (0..field.layers.len()).map(|layer| Self::of_layer(field, layer, extent)).collect();
+    /// All that is searched, the surroundings of the loads only if `is_near`.
+    pub(super) fn all(field: &Field, is_near: bool) -> Vec<Self> {
+        let mut all: Vec<Self> = (0..field.layers.len()).map(|layer| Self::of_layer(field, layer, is_near)).collect();
         // about the places of the top face at which a pressure jumps
         let near = CLOSE * field.narrowest(0);
         let about = |at: f64| {
@@ -134,7 +132,7 @@ impl Pieces {
         all
     }
 
-    fn of_layer(field: &Field, layer: usize, extent: Extent) -> Self {
+    fn of_layer(field: &Field, layer: usize, is_near: bool) -> Self {
         let placed = &field.layers[layer];
         let body = &field.bodies[placed.body];
         let longest = field.longest();
@@ -161,7 +159,7 @@ impl Pieces {
         }
         let bending = field.thickness() * field.contrast.max(field.over_support).cbrt();
         let mut reach = features.iter().fold(0.0, |reach: f64, (x, length)| reach.max(x.abs() + BESIDE * length));
-        if extent == Extent::Everywhere {
+        if !is_near {
             reach = reach.max(longest + BEYOND * bending);
         }
         let [from, first] = if field.is_even { [0.0; 2] } else { [-reach, f64::NEG_INFINITY] };
