@@ -3,7 +3,7 @@ use std::iter::zip;
 
 use num_complex::Complex64;
 
-use super::strip::{Singularity, TabulatedStrip};
+use super::strip::TabulatedStrip;
 use super::transform::{Potentials, Transform};
 use crate::solution::{Contact, Form, Strip};
 
@@ -107,15 +107,15 @@ impl ContactPressure {
         self.strips().filter(|_| self.is_whole).find(ends)
     }
 
-    /// The places at which stresses on the face are infinite, of an even pressure those x ≥ 0, and the kind of the singularity.
-    pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
-        self.strips().flat_map(Strip::singular_points).map(|(x, kind)| (self.place(x), kind))
+    /// The places at which stresses on the face are infinite, of an even pressure those x ≥ 0, and whether the face sinks without limit there.
+    pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, bool)> {
+        self.strips().flat_map(Strip::singular_points).map(|(x, sinks)| (self.place(x), sinks))
     }
 
-    /// The strongest singularity of stresses on the face at a place.
-    pub(super) fn singularity(&self, x: f64) -> Option<Singularity> {
+    /// Whether the face sinks without limit at a place at which stresses on it are infinite; `None` where they are finite.
+    pub(super) fn singularity(&self, x: f64) -> Option<bool> {
         let here = self.singular_points().filter(|(at, _)| (self.place(x) - at).abs() <= AT * (at.abs() + self.far));
-        here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
+        here.map(|(_, sinks)| sinks).max()
     }
 
     /// The distance of a place from the nearest one at which the pressure is not smooth: ends, and singular points.

@@ -10,7 +10,6 @@ use recede_layers::{State, Wave};
 use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, components};
 use super::error::FieldError;
 use super::pressure::ContactPressure;
-use super::strip::Singularity;
 use super::surface::{COMPONENTS, Components};
 use super::transform::Transform;
 use super::waves::{self, CutOff, Precision, WavePanel};
@@ -108,13 +107,11 @@ impl Field {
             let pressure = &self.pressures[contact];
             let closed = face.surface.closed(pressure, x, distance, displacements);
             sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
-            if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
+            if let Some(sinks) = pressure.singularity(x).filter(|_| distance == 0.0) {
                 // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
                 [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
+                sum[4] = if sinks { f64::NEG_INFINITY } else { sum[4] };
                 sum[5] = f64::NAN;
-                if kind == Singularity::Line {
-                    sum[4] = f64::NEG_INFINITY;
-                }
             }
         }
         sum
