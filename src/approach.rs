@@ -13,7 +13,7 @@
 use std::borrow::Cow;
 
 use crate::contact::{self, ContactError};
-use crate::field::{EvenPressure, Field, FieldError};
+use crate::field::{ContactPressure, Field, FieldError};
 use crate::kernel::Kernel;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Pressed, Punch, Punches, Top};
@@ -245,11 +245,13 @@ fn sunk(profile: impl Fn(f64) -> f64, punch: &Punch, kernel: &Kernel, solution: 
     let starts: Vec<f64> = punch.shape().starts().iter().map(|start| start / length).collect();
     let mut sunk = windows.first().map_or([0.0; 2], |top| top.of_profile(is_round, |x| profile(x * length), &starts));
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
-    let pressures: Vec<EvenPressure> = solution.contacts().iter().map(|own| EvenPressure::new(own, tip)).collect();
+    let pressure = |contact| ContactPressure::new(contact, true, tip);
+    let pressures: Vec<ContactPressure> = solution.contacts().iter().map(pressure).collect();
     kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {
         let wavenumbers: Vec<f64> = own.zeta.iter().map(|zeta| zeta / length).collect();
         let pressure = &pressures[own.contact];
-        let variations: Vec<f64> = pressure.variations(&wavenumbers).collect();
+        let transforms = pressure.transforms(&wavenumbers).into_iter();
+        let variations: Vec<f64> = transforms.map(|transform| transform.variation.re).collect();
         for (mean, sunk) in sunk.iter_mut().enumerate() {
             let weights = own.all[mean].iter().zip(&own.resultant[mean]).zip(own.zeta);
             let of =

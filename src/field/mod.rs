@@ -28,7 +28,7 @@ use recede_layers::Wave;
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::FaceSide;
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
-pub(crate) use pressure::EvenPressure;
+pub(crate) use pressure::ContactPressure;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;
@@ -38,7 +38,6 @@ use crate::system::FaceLoad;
 pub use error::FieldError;
 
 use body::{DepthRow, LoadedBody, PlacedLayer};
-use pressure::ContactPressure;
 use surface::Components;
 use waves::LongWaves;
 
@@ -108,8 +107,8 @@ impl Field {
         let plane = stack.plane();
         let layers = body::layers(stack);
         let (is_even, middle) = (solution.about().is_some(), solution.about().unwrap_or(0.0));
-        let contacts: Vec<Contact> = solution.contacts().iter().map(|contact| contact.clone().moved(-middle)).collect();
-        let pressure = |contact: &Contact| ContactPressure::new(contact, is_even, middle.abs());
+        let contacts = solution.contacts();
+        let pressure = |contact| ContactPressure::new(contact, is_even, middle);
         let pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         let stiffnesses = |placed: &PlacedLayer| {
             let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
@@ -128,7 +127,7 @@ impl Field {
             pressures,
             is_even,
             middle,
-            joints: contacts.iter().map(Contact::touching).collect(),
+            joints: contacts.iter().map(|contact| contact.clone().moved(-middle).touching()).collect(),
             modulus,
             contrast: largest / smallest,
             over_support: largest / support_stiffness(stack, modulus),
