@@ -26,7 +26,7 @@ mod waves;
 use recede_layers::Wave;
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
-pub use faces::FaceSide;
+pub use faces::{FaceProfile, FaceSide};
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
 pub(crate) use pressure::ContactPressure;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
