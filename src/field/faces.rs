@@ -28,7 +28,7 @@ impl Field {
             sides.map(move |(side, depth)| ((number, side), DepthRow { layer, depth, set: 0 }))
         };
         let (sides, rows): (Vec<_>, Vec<DepthRow>) = self.layers.iter().enumerate().flat_map(sides).unzip();
-        let faces = sides.into_iter().zip(self.in_rows(xs, &rows, precision)?);
+        let faces = sides.into_iter().zip(self.lines(xs, &rows, precision)?);
         Ok(faces.map(|((layer, side), points)| FaceProfile { layer, side, points }).collect())
     }
 

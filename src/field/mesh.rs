@@ -1,5 +1,5 @@
 //! Pieces of the layers, and the stresses at the Chebyshev points of each.
-use super::body::DepthRow;
+use super::body::Rows;
 use super::error::FieldError;
 use super::pressure::ContactPressure;
 use super::waves::Precision;
@@ -94,14 +94,12 @@ fn points(intervals: &[[[f64; 2]; 2]]) -> (Vec<f64>, Ranges) {
 impl PieceSample {
     /// The stresses in all of these pieces, from one sum over wavenumbers; for each of the arguments a list.
     pub(super) fn all(field: &Field, all: &[Pieces], precision: &Precision) -> Result<Vec<Vec<Self>>, FieldError> {
-        let (mut rows, mut sets, mut ranges) = (Vec::new(), Vec::<Vec<f64>>::new(), Vec::new());
+        let (mut rows, mut ranges) = (Rows::default(), Vec::new());
         for Pieces { layer, intervals } in all {
             let [(xs, along), (depths, down)] = [0, 1].map(|axis| points(&intervals[axis]));
-            let set = set_of(&mut sets, xs);
-            ranges.push((rows.len(), along, down));
-            rows.extend(depths.into_iter().map(|depth| DepthRow { layer: *layer, depth, set }));
+            ranges.push((rows.add(*layer, &depths, xs), along, down));
         }
-        let rows = field.at_places(&rows, &sets, precision)?;
+        let rows = field.at_places(&rows, precision)?;
         let samples = |(Pieces { layer, intervals }, (first, along, down)): (&Pieces, (usize, Ranges, Ranges))| {
             let mut samples = Vec::with_capacity(along.len() * down.len());
             for ([down_ends, down_smooth], in_rows) in intervals[1].iter().zip(down) {

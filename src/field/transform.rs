@@ -34,6 +34,11 @@ pub(crate) struct Transform {
 }
 
 impl Transform {
+    /// p̂ and its variation in the even part, 0, or in the odd part, 1.
+    pub(super) fn part(&self, part: usize) -> [f64; 2] {
+        [self.value, self.variation].map(|value| [value.re, value.im][part])
+    }
+
     /// The transform of the pressure moved by a length; P is the resultant.
     pub(super) fn moved(self, wavenumber: f64, length: f64, resultant: f64) -> Self {
         if length == 0.0 {
