@@ -11,9 +11,10 @@
 //! are while the force grows: the derivative of the pressures with respect to the force is the pressure of a flat punch, and of layers that are
 //! joined, on contacts of these half-lengths.
 use std::borrow::Cow;
+use std::f64::consts::PI;
 
 use crate::contact::{self, ContactError};
-use crate::field::{EvenPressure, Field, FieldError};
+use crate::field::{ContactPressure, Field, FieldError};
 use crate::kernel::Kernel;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Pressed, Punch, Punches, Top};
@@ -130,10 +131,9 @@ pub(crate) fn of_each(
     solution: &Solution,
 ) -> Vec<Result<Approach, ApproachError>> {
     let one = approach(top, stack, kernel, solution);
-    let contacts = solution.contacts().first().map(Contact::of_each_punch).unwrap_or_default();
     match punches(top, stack) {
         Ok(punches) if one == Err(ApproachError::Punches) => {
-            let all = several(punches, &contacts, stack, solution).map(|all| all.into_iter().map(Ok).collect());
+            let all = several(punches, stack, solution).map(|all| all.into_iter().map(Ok).collect());
             all.unwrap_or_else(|error| vec![Err(error.into())])
         }
         _ => vec![one],
@@ -142,17 +142,13 @@ pub(crate) fn of_each(
 
 /// How far the tip of each punch has moved down since the punch, not turned, touched the top face with its lowest point, from two places at which it touches
 /// the face.
-fn several(
-    punches: &Punches,
-    contacts: &[Contact],
-    stack: &Stack,
-    solution: &Solution,
-) -> Result<Vec<Approach>, FieldError> {
+fn several(punches: &Punches, stack: &Stack, solution: &Solution) -> Result<Vec<Approach>, FieldError> {
     let relative = ROUNDING + relative_error(solution, true);
     let touching = |contact: &Contact| {
         let widest = contact.intervals().iter().max_by(|a, b| a.force.total_cmp(&b.force)).copied().unwrap_or_default();
         [-PLACE, PLACE].map(|part| 0.5 * ((1.0 - part) * widest.left + (1.0 + part) * widest.right))
     };
+    let contacts = solution.contacts().first().map(Contact::of_each_punch).unwrap_or_default();
     let places: Vec<[f64; 2]> = contacts.iter().map(touching).collect();
     // one sum for all
     let moved = Field::new(stack, solution).grid(&places.concat(), &[0.0])?;
@@ -182,7 +178,7 @@ pub(crate) fn approach(
     let relative = ROUNDING + relative_error(solution, true);
     let error = SAFETY * ((value - second).abs() + relative * value.abs());
     let stiffness = match contact::tangent(kernel, top, solution) {
-        Some(Ok(tangent)) => stiffness(punch, stack, kernel, solution, &tangent)?,
+        Some(Ok(tangent)) => stiffness(punch, kernel, solution, &tangent),
         Some(Err(ContactError::Unresolved(cause))) => return Err(FieldError::Unresolved(cause).into()),
         Some(Err(_)) | None => Stiffness::NotComputed,
     };
@@ -190,13 +186,7 @@ pub(crate) fn approach(
 }
 
 /// The stiffness from the pressures that a unit force adds.
-fn stiffness(
-    punch: &Punch,
-    stack: &Stack,
-    kernel: &Kernel,
-    solution: &Solution,
-    tangent: &Solution,
-) -> Result<Stiffness, ApproachError> {
+fn stiffness(punch: &Punch, kernel: &Kernel, solution: &Solution, tangent: &Solution) -> Stiffness {
     let [compliance, second] = sunk(|_| 0.0, punch, kernel, tangent);
     let contacts = solution.contacts().iter().zip(tangent.contacts()).enumerate();
     // an end that moves by da changes the compliance by 2πa q²/E* da, with the singular pressure q/√(1 − x²/a²): the energy release
@@ -204,17 +194,14 @@ fn stiffness(
     let ends = contacts.map(|(i, (contact, tangent))| {
         let corners: f64 = tangent.strips.iter().map(|strip| strip.corners[1]).sum();
         let (a, error) = (contact.half_length().unwrap_or(0.0), contact.half_length_error().unwrap_or(0.0));
-        let around = if stack.geometry().is_axisymmetric() { std::f64::consts::PI * a } else { 1.0 };
-        2.0 * std::f64::consts::PI * around * a * corners * corners / kernel.contact_modulus(i) * error
+        let around = if kernel.geometry().is_axisymmetric() { PI * a } else { 1.0 };
+        2.0 * PI * around * a * corners * corners / kernel.contact_modulus(i) * error
     });
     let relative = ROUNDING + relative_error(tangent, false);
     let error = SAFETY * (ends.sum::<f64>() + (compliance - second).abs() + relative * compliance.abs());
     let value = compliance.recip();
-    if compliance > 0.0 && value.is_finite() {
-        Ok(Stiffness::Known { value, error: error * value * value })
-    } else {
-        Ok(Stiffness::NotComputed)
-    }
+    let is_known = compliance > 0.0 && value.is_finite();
+    if is_known { Stiffness::Known { value, error: error * value * value } } else { Stiffness::NotComputed }
 }
 
 /// The sum of the errors of all pressures, as parts of the mean pressures, and with `ends` also of the half-lengths.
@@ -245,11 +232,13 @@ fn sunk(profile: impl Fn(f64) -> f64, punch: &Punch, kernel: &Kernel, solution: 
     let starts: Vec<f64> = punch.shape().starts().iter().map(|start| start / length).collect();
     let mut sunk = windows.first().map_or([0.0; 2], |top| top.of_profile(is_round, |x| profile(x * length), &starts));
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
-    let pressures: Vec<EvenPressure> = solution.contacts().iter().map(|own| EvenPressure::new(own, tip)).collect();
+    let pressure = |contact| ContactPressure::new(contact, true, tip);
+    let pressures: Vec<ContactPressure> = solution.contacts().iter().map(pressure).collect();
     kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {
         let wavenumbers: Vec<f64> = own.zeta.iter().map(|zeta| zeta / length).collect();
         let pressure = &pressures[own.contact];
-        let variations: Vec<f64> = pressure.variations(&wavenumbers).collect();
+        let transforms = pressure.transforms(&wavenumbers).into_iter();
+        let variations: Vec<f64> = transforms.map(|transform| transform.variation.re).collect();
         for (mean, sunk) in sunk.iter_mut().enumerate() {
             let weights = own.all[mean].iter().zip(&own.resultant[mean]).zip(own.zeta);
             let of =

@@ -191,7 +191,7 @@ fn gaps(
 ) -> Result<Vec<f64>, FieldError> {
     let field = Field::new(stack, solution);
     let places: Vec<f64> = points.iter().flat_map(|points| points.x.iter().copied()).collect();
-    let faces = profile::faces(&field, &places, precision)?;
+    let faces = field.faces(&places, precision)?;
     let (mut gaps, mut first) = (Vec::new(), 0);
     for Points { contact, punch, x, .. } in points {
         let interface = solution.contacts()[*contact].interface;

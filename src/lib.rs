@@ -93,13 +93,13 @@ pub use collocation::Collocated;
 pub use contact::{ContactError, NoSolution};
 pub use errors::Error;
 pub use field::{
-    BondExtremes, Extreme, Extremes, FaceSide, Field, FieldError, FieldPoint, FieldQuantity, Grid, LayerExtremes,
-    MaxShear, Point,
+    BondExtremes, Extreme, Extremes, FaceProfile, FaceSide, Field, FieldError, FieldPoint, FieldQuantity, Grid,
+    LayerExtremes, MaxShear, Point,
 };
 pub use geometry::{Geometry, Words};
 pub use model::{Model, solve};
 pub use options::{Options, OptionsError};
-pub use profile::{ContactProfile, FaceProfile, FaceProfiles, profile_places};
+pub use profile::{ContactProfile, FaceProfiles, profile_places};
 /// The crate of the layers: for user-defined layer types, and the laws that they have to obey.
 pub use recede_layers as layers;
 pub use recede_layers::{

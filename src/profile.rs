@@ -1,7 +1,7 @@
 //! Profiles along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
 use std::f64::consts::PI;
 
-use crate::field::{FULL, FaceSide, Field, FieldError, FieldPoint, Precision};
+use crate::field::{FULL, FaceProfile, FaceSide, Field, FieldError};
 use crate::geometry::Geometry;
 use crate::scene::Top;
 use crate::solution::{Contact, Interface, Interval, Solution};
@@ -32,17 +32,6 @@ pub struct ContactProfile {
     pub pressure: Vec<f64>,
     /// How far the bodies are apart, in length: 0 where they touch; infinite beyond the edge of a punch, to the nearest of several punches. None under a given pressure.
     pub gap: Option<Vec<f64>>,
-}
-
-/// One face of a layer along x.
-#[derive(Clone, Debug)]
-pub struct FaceProfile {
-    /// Number of the layer, from the top as written in the scene, starting at 1.
-    pub layer: usize,
-    /// Which of its faces.
-    pub side: FaceSide,
-    /// Stresses, displacements and the slope there.
-    pub points: Vec<FieldPoint>,
 }
 
 /// Places from −`to` to `to`, about `count` of them, dense next to the ends of all contacts, where pressures and gaps begin like roots;
@@ -85,7 +74,7 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     let each: Vec<Vec<Contact>> = solution.contacts().iter().map(Contact::of_each_punch).collect();
     let mut places = x.to_vec();
     places.extend(each.iter().flatten().flat_map(Contact::touching));
-    let mut faces = faces(&field, &places, &FULL)?;
+    let mut faces = field.faces(&places, &FULL)?;
     let mut touching = x.len();
     let mut contacts = Vec::new();
     for (contact, each) in solution.contacts().iter().zip(&each) {
@@ -114,12 +103,6 @@ fn gap(x: &[f64], apart: &[f64], intervals: &[Interval], [(from, begin), (to, en
     let touches = |x: f64| intervals.iter().any(|one| one.left <= x && x <= one.right);
     let gap = |(x, apart): (&f64, &f64)| if touches(*x) { 0.0 } else { apart - (begin + turn * (x - from)) };
     x.iter().zip(apart).map(gap).collect()
-}
-
-/// The faces of all layers at places along x.
-pub(crate) fn faces(field: &Field, x: &[f64], precision: &Precision) -> Result<Vec<FaceProfile>, FieldError> {
-    let faces = field.faces(x, precision)?.into_iter();
-    Ok(faces.map(|(layer, side, points)| FaceProfile { layer, side, points }).collect())
 }
 
 /// How much higher the upper body of a contact, under it a punch of this number from the left, is than the lower one at places along x; `None` under a

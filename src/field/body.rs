@@ -13,7 +13,7 @@ use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
 const NEGLIGIBLE: f64 = 1e-13;
 /// The lowest wavenumber, over the shift of a [`Surface`], at which the remainder is examined, and how often it is doubled.
 const SHORT: f64 = 36.0;
-const DOUBLINGS: i32 = 4;
+const DOUBLINGS: usize = 4;
 /// A material varies over the depth within which it changes by this part. It is a length scale only: twice as large a
 /// change makes it twice as long.
 const CHANGE: f64 = 0.1;
@@ -61,6 +61,25 @@ pub(super) struct DepthRow {
     pub(super) set: usize,
 }
 
+/// Rows of points, and the lists of places along x, counted from the middle, at which they are.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rows {
+    pub(super) rows: Vec<DepthRow>,
+    pub(super) sets: Vec<Vec<f64>>,
+}
+
+impl Rows {
+    /// Adds rows in a layer at some places: the number of the first of them.
+    pub(super) fn add(&mut self, layer: usize, depths: &[f64], places: Vec<f64>) -> usize {
+        let set = self.sets.iter().position(|set| *set == places).unwrap_or(self.sets.len());
+        if set == self.sets.len() {
+            self.sets.push(places);
+        }
+        self.rows.extend(depths.iter().map(|depth| DepthRow { layer, depth: *depth, set }));
+        self.rows.len() - depths.len()
+    }
+}
+
 /// A body between shear-free faces.
 #[derive(Clone, Debug)]
 pub(super) struct LoadedBody {
@@ -102,21 +121,14 @@ impl Remainder {
 /// The layers from the top down, without layers of thickness 0.
 pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
     let mut layers: Vec<PlacedLayer> = Vec::new();
-    let mut depth = 0.0;
-    let mut add = |body: usize, place: usize, placed: &Placed| {
-        let thickness = placed.layer.thickness();
-        let (number, layer) = (placed.number, placed.layer.clone());
-        let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
-        layers.push(PlacedLayer { number, layer, top: depth, thickness, slowest, body, place });
-        depth += thickness.unwrap_or(0.0);
-    };
-    for (body, laminate) in stack.laminates().iter().enumerate() {
-        laminate.layers().iter().enumerate().for_each(|(place, placed)| add(body, place, placed));
-    }
-    let (body, base) = (stack.laminates().len(), stack.base());
-    base.layers().iter().enumerate().for_each(|(place, placed)| add(body, place, placed));
-    if let Some(placed) = base.foundation().half_plane() {
-        add(body, base.layers().len(), placed);
+    let mut top = 0.0;
+    for (body, group) in stack.groups().enumerate() {
+        for (place, Placed { number, layer }) in group.layers().enumerate() {
+            let (number, layer, thickness) = (*number, layer.clone(), layer.thickness());
+            let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
+            layers.push(PlacedLayer { number, layer, top, thickness, slowest, body, place });
+            top += thickness.unwrap_or(0.0);
+        }
     }
     layers
 }
@@ -127,51 +139,32 @@ impl LoadedBody {
         let system = BlockSystem::new(stack);
         let laminates = FreeChain::all(&system).into_iter().map(Chain::Free);
         let chains = laminates.chain([Chain::Base(BaseChain::of(&system))]);
-        let of = |(i, chain): (usize, Chain)| Self::of(chain, i, stack, layers, pressures, modulus);
+        let unit = Wave { wavenumber: 1.0, modulus, plane: stack.plane() };
+        let of = |(contact, chain): (usize, Chain)| {
+            let from = layers.partition_point(|placed| placed.body < contact);
+            let own = from..layers.partition_point(|placed| placed.body <= contact);
+            let (first, last) = (layers[own.clone()].first()?, layers[own.clone()].last()?);
+            let free = matches!(chain, Chain::Free(_));
+            let depth = match last.thickness {
+                // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
+                Some(thickness) => free.then_some(thickness),
+                // displacements vanish far away if forces do not act on whole lines
+                None if stack.geometry().is_axisymmetric() => None,
+                None => Some(0.0),
+            };
+            let reference = depth.map(|depth| DepthRow { layer: own.end - 1, depth, set: 0 });
+            let (top, bottom) = (first.top, free.then(|| last.bottom()));
+            let mut body = Self { chain, layers: own, top, bottom, contact, faces: [None, None], reference };
+            body.faces[0] = body.face(0, first, &pressures[contact], unit);
+            body.faces[1] = pressures.get(contact + 1).filter(|_| free).and_then(|own| body.face(1, last, own, unit));
+            Some(body)
+        };
         chains.enumerate().filter_map(of).collect()
     }
 
-    /// The body with this number; `None` if it has no layers.
-    fn of(
-        chain: Chain,
-        number: usize,
-        stack: &Stack,
-        layers: &[PlacedLayer],
-        pressures: &[ContactPressure],
-        modulus: f64,
-    ) -> Option<Self> {
-        let from = layers.partition_point(|placed| placed.body < number);
-        let own = from..layers.partition_point(|placed| placed.body <= number);
-        let (first, last) = (layers[own.clone()].first()?, layers[own.clone()].last()?);
-        let free = matches!(chain, Chain::Free(_));
-        let depth = match last.thickness {
-            // the bottom face of a laminate or the top face of a half-plane; a rigid base does not move
-            Some(thickness) => free.then_some(thickness),
-            // displacements vanish far away if forces do not act on whole lines
-            None if stack.geometry().is_axisymmetric() => None,
-            None => Some(0.0),
-        };
-        let reference = depth.map(|depth| DepthRow { layer: own.end - 1, depth, set: 0 });
-        let (top, bottom) = (first.top, free.then(|| last.bottom()));
-        let mut body = Self { chain, layers: own, top, bottom, contact: number, faces: [None, None], reference };
-        let plane = stack.plane();
-        let wave = |wavenumber: f64| Wave { wavenumber, modulus, plane };
-        body.faces[0] = body.face(0, first, &pressures[number], &wave);
-        if let (true, Some(pressure)) = (free, pressures.get(number + 1)) {
-            body.faces[1] = body.face(1, last, pressure, &wave);
-        }
-        Some(body)
-    }
-
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
-    fn face(
-        &self,
-        side: usize,
-        placed: &PlacedLayer,
-        pressure: &ContactPressure,
-        wave: &dyn Fn(f64) -> Wave,
-    ) -> Option<LoadedFace> {
-        let Wave { plane, modulus, .. } = wave(0.0);
+    fn face(&self, side: usize, placed: &PlacedLayer, pressure: &ContactPressure, unit: Wave) -> Option<LoadedFace> {
+        let Wave { plane, modulus, .. } = unit;
         let material = |distance: f64| match placed.thickness {
             Some(thickness) if side == 1 => placed.layer.material((thickness - distance).max(0.0), plane),
             _ => placed.layer.material(distance, plane),
@@ -181,24 +174,24 @@ impl LoadedBody {
         (surface.is_round, surface.up) = (pressure.is_round(), if side == 1 { -1.0 } else { 1.0 });
         if self.layers.len() == 1 && placed.thickness.is_none() {
             // a homogeneous half-plane has no remainder at any wavenumber
-            let shift = std::mem::replace(&mut surface.shift, f64::INFINITY);
-            let same = |l: f64| Some(self.remainder(&surface, side, placed, &wave(l / length))? < NEGLIGIBLE);
-            if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| same(l) == Some(true)) {
-                return Some(LoadedFace { surface, remainder: Remainder::NONE });
+            let mut whole = surface.clone();
+            whole.shift = f64::INFINITY;
+            let remainder = |l: f64| self.remainder(&whole, side, placed, &Wave { wavenumber: l / length, ..unit });
+            if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| remainder(l).is_some_and(|part| part < NEGLIGIBLE)) {
+                return Some(LoadedFace { surface: whole, remainder: Remainder::NONE });
             }
-            surface.shift = shift;
         }
         let short = SHORT / surface.shift;
-        let remainders: Option<Vec<f64>> =
-            (0..DOUBLINGS).map(|k| self.remainder(&surface, side, placed, &wave(short * 2f64.powi(k)))).collect();
-        let remainders = remainders?;
-        let (first, last) = (remainders[0], remainders[remainders.len() - 1]);
+        let waves: [Wave; DOUBLINGS] =
+            std::array::from_fn(|k| Wave { wavenumber: short * 2f64.powi(k as i32), ..unit });
+        let remainders = waves.iter().map(|wave| self.remainder(&surface, side, placed, wave));
+        let remainders: Vec<f64> = remainders.collect::<Option<_>>()?;
+        let (first, last) = (remainders[0], remainders[DOUBLINGS - 1]);
         if last <= NEGLIGIBLE {
             return Some(LoadedFace { surface, remainder: Remainder::NONE });
         }
-        let power = ((first / last).log2() / f64::from(DOUBLINGS - 1)).clamp(0.0, 3.0);
-        let size =
-            remainders.iter().enumerate().map(|(k, remainder)| remainder * (short * 2f64.powi(k as i32)).powf(power));
+        let power = ((first / last).log2() / (DOUBLINGS - 1) as f64).clamp(0.0, 3.0);
+        let size = remainders.iter().zip(waves).map(|(remainder, wave)| remainder * wave.wavenumber.powf(power));
         Some(LoadedFace { surface, remainder: Remainder { size: size.fold(0.0, f64::max), power } })
     }
 
@@ -211,11 +204,8 @@ impl LoadedBody {
         }
         let mut depths = vec![Vec::new(); self.layers.len()];
         depths[placed.place] = distances.iter().map(|distance| depth(*distance)).collect();
-        let load = if side == 0 {
-            FaceLoad { top: -1.0, ..FaceLoad::default() }
-        } else {
-            FaceLoad { bottom: -1.0, ..FaceLoad::default() }
-        };
+        let (top, bottom) = if side == 0 { (-1.0, 0.0) } else { (0.0, -1.0) };
+        let load = FaceLoad { top, bottom, equal: 0.0 };
         let states = self.states(wave, &depths, &load)?;
         let differences = distances.iter().zip(&states[placed.place]).map(|(distance, state)| {
             let found = components(state, &placed.layer.material(depth(*distance), wave.plane), wave.modulus);

@@ -10,7 +10,7 @@ use super::waves::{self, Precision};
 const HALVINGS: usize = 20;
 
 /// How the fields due to a loaded face decay with the wavenumber, at a distance d from it.
-struct FieldDecay<'a> {
+pub(super) struct FieldDecay<'a> {
     /// All fields fall like e^(−λ·distance) at least.
     distance: f64,
     /// Fields that do not come from the face directly fall faster, like e^(−λ·reflected).
@@ -24,11 +24,6 @@ struct FieldDecay<'a> {
 }
 
 impl FieldDecay<'_> {
-    /// The mean pressure, with which the truncation error is compared.
-    fn mean(&self) -> f64 {
-        self.pressure.mean(self.length)
-    }
-
     /// A bound on the contribution of all waves beyond a wavenumber, in parts of the mean pressure.
     fn truncation(&self, from: f64) -> f64 {
         let reflected = if self.remainder.is_some() { self.reflected } else { self.distance };
@@ -52,7 +47,7 @@ impl FieldDecay<'_> {
     fn amplitude(&self, from: f64) -> f64 {
         // about an axis J₀(λr) falls like a root or, next to r = 0, the transform oscillates
         let measure = if self.pressure.is_round() { from / (1.0 + from * self.length).sqrt() } else { PI.recip() };
-        self.pressure.envelope(from) * measure / self.mean()
+        self.pressure.envelope(from) * measure / self.pressure.mean(self.length)
     }
 
     /// The wavenumber beyond which fields are negligible; `most` if there is none below.
@@ -84,7 +79,7 @@ impl FieldDecay<'_> {
 impl Field {
     /// The decay of fields with the wavenumber at a depth, for the contacts next to its body; `None` where closed forms have no
     /// remainder.
-    fn decays(&self, row: &DepthRow) -> impl Iterator<Item = (usize, Option<FieldDecay<'_>>)> {
+    pub(super) fn decays(&self, row: &DepthRow) -> impl Iterator<Item = (usize, Option<FieldDecay<'_>>)> {
         let placed = &self.layers[row.layer];
         let (body, depth) = (&self.bodies[placed.body], row.depth);
         body.contacts().enumerate().map(move |(side, contact)| (contact, self.decay(placed, depth, side, contact)))
@@ -111,33 +106,21 @@ impl Field {
         })
     }
 
-    /// The cut-off wavenumbers of the sums at a depth, for the contacts next to its body, with places as far out as `farthest`.
-    pub(super) fn ends(
-        &self,
-        row: &DepthRow,
-        precision: &Precision,
-        farthest: f64,
-    ) -> impl Iterator<Item = (usize, f64)> {
-        let end = move |(contact, decay): (usize, Option<FieldDecay>)| {
-            (contact, decay.map_or(0.0, |decay| decay.end(precision, self.most(contact, precision, farthest))))
-        };
-        self.decays(row).map(end)
-    }
-
-    /// The largest wavenumber at which a pressure is summed; a force that has no length is cut off at the places.
-    fn most(&self, contact: usize, precision: &Precision, farthest: f64) -> f64 {
+    /// The last wavenumber of a sum with places as far out as `farthest`; a force that has no length is cut off at the places.
+    pub(super) fn end(&self, contact: usize, decay: &FieldDecay, precision: &Precision, farthest: f64) -> f64 {
         let length = Some(self.length(contact)).filter(|length| *length > 0.0).unwrap_or(farthest);
-        waves::most(length, precision, self.layers.len())
+        let most = waves::MOST.min(precision.evaluations / (waves::PER_PHASE * self.layers.len() as f64));
+        decay.end(precision, most / length)
     }
 
     /// A bound on the truncation error of the sums over wavenumbers in the stresses at a point of a row.
     pub(super) fn truncation(&self, row: &DepthRow, x: f64, precision: &Precision) -> f64 {
         let of = |(contact, decay): (usize, Option<FieldDecay>)| {
             let Some(decay) = decay else { return 0.0 };
-            let end = decay.end(precision, self.most(contact, precision, x.abs()));
+            let end = self.end(contact, &decay, precision, x.abs());
             // waves shorter than the distance from where the pressure is not smooth cancel
             let cancelled = (end * self.pressures[contact].distance(x)).recip().min(1.0);
-            decay.truncation(end) * decay.mean() * cancelled
+            decay.truncation(end) * decay.pressure.mean(decay.length) * cancelled
         };
         self.decays(row).map(of).sum()
     }

@@ -21,25 +21,8 @@ const POINTS: usize = 12;
 const PER_LENGTH: f64 = 7.0;
 
 impl Strip {
-    /// p̂ − p̂(0) at some λa, accurate to rounding.
-    pub(super) fn disc_variations(&self, arguments: &[f64]) -> Vec<f64> {
-        let limit = self.long_waves();
-        match self.form {
-            Form::Line => vec![0.0; arguments.len()],
-            Form::Uniform => arguments.iter().map(|z| limit * bessel::jinc_minus_one(*z)).collect(),
-            Form::Parabolic => {
-                let mut bessel = vec![0.0; 4 * arguments.len()];
-                bessel::table(4, arguments, &mut bessel);
-                let third = &bessel[3 * arguments.len()..];
-                let over = |j: &f64, z: &f64| if *z > 0.0 { 2.0 * j / z } else { 0.0 };
-                let each = arguments.iter().zip(third);
-                each.map(|(z, j)| limit * (bessel::jinc_minus_one(*z) + over(j, z))).collect()
-            }
-            Form::Series => self.disc_series(arguments),
-        }
-    }
-
-    fn disc_series(&self, arguments: &[f64]) -> Vec<f64> {
+    /// p̂ − p̂(0) of a series at some λa, accurate to rounding.
+    pub(super) fn disc_series(&self, arguments: &[f64]) -> Vec<f64> {
         let (count, orders) = (arguments.len(), 2 * self.coefficients.len() + 1);
         let wanted = Wanted::ZERO_AND_ODD.of_kind(Kind::Spherical);
         let columns = wanted.below(orders);

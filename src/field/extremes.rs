@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::error::FieldError;
-use super::measure::{Extent, ExtremeSearch, Measure};
+use super::measure::{ExtremeSearch, Measure};
 use super::search::{HighestPlace, highest};
 use super::{Field, PlacedLayer, Point, waves};
 use crate::system::Unresolved;
@@ -92,7 +92,7 @@ impl Field {
     /// [`FieldError::Unresolved`] if the fields cannot be computed.
     pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
         let search = ExtremeSearch { measure: Measure::MaxShear, layer: None };
-        let found = highest(self, &[search], Extent::Near)?.into_iter().next().flatten();
+        let found = highest(self, &[search])?.into_iter().next().flatten();
         let HighestPlace { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
         let placed = &self.layers[layer];
         Ok(MaxShear { value, x: self.middle + x, depth: placed.top + depth, layer: placed.number })
@@ -116,7 +116,7 @@ impl Field {
             let of_face = [Measure::FaceShear, Measure::FaceTension];
             searches.extend(of_face.map(|measure| ExtremeSearch { measure, layer: Some(*layer) }));
         }
-        let mut extremes = self.exact(&highest(self, &searches, Extent::Everywhere)?)?.into_iter();
+        let mut extremes = self.exact(&highest(self, &searches)?)?.into_iter();
         let mut next = || extremes.next().flatten();
         let tension = next();
         let layers =
@@ -137,31 +137,22 @@ impl Field {
             Point { x: self.middle + peak.place[0], depth: placed.top + peak.place[1], layer: Some(placed.number) }
         };
         let finite = peaks.iter().flatten().filter(|peak| peak.value.is_finite());
-        let points: Vec<Point> = finite.map(point).collect();
-        let mut there = points.iter().zip(self.points(&points)?);
-        let mut extremes = Vec::new();
-        for peak in peaks {
-            let Some(peak) = peak else {
-                extremes.push(None);
-                continue;
+        let mut there = self.points(&finite.map(point).collect::<Vec<_>>())?.into_iter();
+        let mut extreme = |peak: &HighestPlace| {
+            let (point, layer) = (point(peak), self.layers[peak.layer].number);
+            let of = |value: f64, error: f64| Extreme { value, error, x: point.x, depth: point.depth, layer };
+            let Some(there) = peak.value.is_finite().then(|| there.next()).flatten() else {
+                return Ok(Some(of(f64::INFINITY, 0.0)));
             };
-            let Some((point, there)) = Some(peak).filter(|peak| peak.value.is_finite()).and_then(|_| there.next())
-            else {
-                let (x, layer) = (self.middle + peak.place[0], self.layers[peak.layer].number);
-                extremes.push(Some(Extreme { value: f64::INFINITY, error: 0.0, x, depth: 0.0, layer }));
-                continue;
-            };
-            let value = peak.measure.of(&there);
-            let (row, place, mean) = (self.row(point, 0)?, self.place(point.x), self.mean_pressure(peak.layer));
+            let (row, place, mean) = (self.row(&point, 0)?, self.place(point.x), self.mean_pressure(peak.layer));
             // what a sum leaves out that ends at its cut-off, and what one leaves out that ends before
             let allowed = waves::STRESSES.on_face * mean;
             let unseen = (self.truncation(&row, place, &waves::STRESSES) - allowed).max(0.0);
             let missed = self.truncation(&row, place, &waves::FULL).min(allowed) + NOTHING * mean;
-            let (error, depth, layer) = (self.stress_error(point)? + unseen, point.depth, there.layer);
-            extremes
-                .push(Some(Extreme { value, error, x: point.x, depth, layer }).filter(|found| found.value > missed));
-        }
-        Ok(extremes)
+            let found = of(peak.measure.of(&there), self.stress_error(&point)? + unseen);
+            Ok(Some(found).filter(|found| found.value > missed))
+        };
+        peaks.iter().map(|peak| peak.as_ref().map_or(Ok(None), &mut extreme)).collect()
     }
 
     /// The layers with an interface below them that does not open, by their index, and the number of the layer or base below.

@@ -6,33 +6,30 @@ use super::error::FieldError;
 use super::point::FieldPoint;
 use super::surface::Surface;
 use super::{Field, PlacedLayer, Precision};
+pub use crate::system::Face as FaceSide;
 
-/// A face of a layer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum FaceSide {
-    /// The upper one.
-    Top,
-    /// The lower one, which a half-plane does not have.
-    Bottom,
+/// One face of a layer along x.
+#[derive(Clone, Debug)]
+pub struct FaceProfile {
+    /// Number of the layer, from the top as written in the scene, starting at 1.
+    pub layer: usize,
+    /// Which of its faces.
+    pub side: FaceSide,
+    /// Stresses, displacements and the slope there.
+    pub points: Vec<FieldPoint>,
 }
 
 impl Field {
-    /// The faces of all layers from the top down, each with its layer's number, at these places.
-    pub(crate) fn faces(
-        &self,
-        xs: &[f64],
-        precision: &Precision,
-    ) -> Result<Vec<(usize, FaceSide, Vec<FieldPoint>)>, FieldError> {
+    /// The faces of all layers from the top down at these places.
+    pub(crate) fn faces(&self, xs: &[f64], precision: &Precision) -> Result<Vec<FaceProfile>, FieldError> {
         let sides = |(layer, placed): (usize, &PlacedLayer)| {
-            let top = (layer, placed.number, FaceSide::Top, 0.0);
-            let bottom = placed.thickness.map(|depth| (layer, placed.number, FaceSide::Bottom, depth));
-            [Some(top), bottom].into_iter().flatten()
+            let (number, bottom) = (placed.number, placed.thickness.map(|depth| (FaceSide::Bottom, depth)));
+            let sides = [(FaceSide::Top, 0.0)].into_iter().chain(bottom);
+            sides.map(move |(side, depth)| ((number, side), DepthRow { layer, depth, set: 0 }))
         };
-        let faces: Vec<(usize, usize, FaceSide, f64)> = self.layers.iter().enumerate().flat_map(sides).collect();
-        let rows: Vec<DepthRow> =
-            faces.iter().map(|(layer, _, _, depth)| DepthRow { layer: *layer, depth: *depth, set: 0 }).collect();
-        let lines = faces.iter().zip(self.in_rows(xs, &rows, precision)?);
-        Ok(lines.map(|((_, number, side, _), points)| (*number, *side, points)).collect())
+        let (sides, rows): (Vec<_>, Vec<DepthRow>) = self.layers.iter().enumerate().flat_map(sides).unzip();
+        let faces = sides.into_iter().zip(self.lines(xs, &rows, precision)?);
+        Ok(faces.map(|((layer, side), points)| FaceProfile { layer, side, points }).collect())
     }
 
     /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure of a contact: it is

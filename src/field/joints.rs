@@ -1,6 +1,6 @@
 //! Where the bodies of a stack touch, so that their displacements are counted from one base.
 use super::Field;
-use super::body::DepthRow;
+use super::body::Rows;
 use super::surface::Components;
 
 /// The numbers of the rows of the faces that touch at a place, the face of the body above first, if there are any.
@@ -13,25 +13,12 @@ pub(super) struct Motion {
     pub(super) turn: f64,
 }
 
-impl Motion {
-    /// Adds it to displacements and slope at a place, which lies so deep in its body.
-    pub(super) fn add_to(self, components: &mut Components, x: f64, depth: f64) {
-        let [.., u, v, slope] = components;
-        *u += self.turn * depth;
-        *v += self.lift + self.turn * x;
-        *slope += self.turn;
-    }
-}
-
 impl Field {
     /// Adds rows where the bodies are joined, and tells for each contact below the uppermost one which they are: at one place, or where bodies may
     /// turn at two, the lower face, and the upper one but where v of the body above is counted from the middle there.
-    pub(super) fn joints(&self, rows: &mut Vec<DepthRow>, sets: &mut Vec<Vec<f64>>) -> Vec<[JointRows; 2]> {
-        let first = rows.len();
-        let mut add = |layer: usize, depth: f64, x: f64| {
-            rows.push(DepthRow { layer, depth, set: set_of(sets, vec![x]) });
-            rows.len() - 1 - first
-        };
+    pub(super) fn joints(&self, rows: &mut Rows) -> Vec<[JointRows; 2]> {
+        let first = rows.rows.len();
+        let mut add = |layer: usize, depth: f64, x: f64| rows.add(layer, &[depth], vec![x]) - first;
         let of = |(contact, [from, to]): (usize, &[f64; 2])| {
             let last = self.bodies[contact - 1].layers.end - 1;
             let next = self.bodies.get(contact).map(|body| body.layers.start);
@@ -63,13 +50,4 @@ impl Field {
         }
         motions
     }
-}
-
-/// The number of a list of places among others, to which it is added if it is a new one.
-pub(super) fn set_of(sets: &mut Vec<Vec<f64>>, places: Vec<f64>) -> usize {
-    let known = sets.iter().position(|set| *set == places);
-    known.unwrap_or_else(|| {
-        sets.push(places);
-        sets.len() - 1
-    })
 }

@@ -1,13 +1,6 @@
 //! The stresses whose largest values are searched for.
 use super::FieldPoint;
 
-/// Whether only the surroundings of the loads are searched, where shear stresses are largest, or also what is far from them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Extent {
-    Near,
-    Everywhere,
-}
-
 /// A quantity whose largest value is searched for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
@@ -36,6 +29,11 @@ impl Measure {
             Self::FaceShear => point.sigma_xy.abs(),
             Self::FaceTension => point.sigma_yy,
         }
+    }
+
+    /// Whether it is searched for in the surroundings of the loads only, where shear stresses are largest, and not far from them.
+    pub(super) fn is_near_loads(self) -> bool {
+        self == Self::MaxShear
     }
 
     /// Whether the square of the stress is smooth where the stress is 0, and the stress itself is not.

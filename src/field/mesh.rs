@@ -1,8 +1,6 @@
 //! Pieces of the layers, and the stresses at the Chebyshev points of each.
-use super::body::DepthRow;
+use super::body::Rows;
 use super::error::FieldError;
-use super::joints::set_of;
-use super::measure::Extent;
 use super::pressure::ContactPressure;
 use super::waves::Precision;
 use super::{Field, FieldPoint};
@@ -96,14 +94,12 @@ fn points(intervals: &[[[f64; 2]; 2]]) -> (Vec<f64>, Ranges) {
 impl PieceSample {
     /// The stresses in all of these pieces, from one sum over wavenumbers; for each of the arguments a list.
     pub(super) fn all(field: &Field, all: &[Pieces], precision: &Precision) -> Result<Vec<Vec<Self>>, FieldError> {
-        let (mut rows, mut sets, mut ranges) = (Vec::new(), Vec::<Vec<f64>>::new(), Vec::new());
+        let (mut rows, mut ranges) = (Rows::default(), Vec::new());
         for Pieces { layer, intervals } in all {
             let [(xs, along), (depths, down)] = [0, 1].map(|axis| points(&intervals[axis]));
-            let set = set_of(&mut sets, xs);
-            ranges.push((rows.len(), along, down));
-            rows.extend(depths.into_iter().map(|depth| DepthRow { layer: *layer, depth, set }));
+            ranges.push((rows.add(*layer, &depths, xs), along, down));
         }
-        let rows = field.at_places(&rows, &sets, precision)?;
+        let rows = field.at_places(&rows, precision)?;
         let samples = |(Pieces { layer, intervals }, (first, along, down)): (&Pieces, (usize, Ranges, Ranges))| {
             let mut samples = Vec::with_capacity(along.len() * down.len());
             for ([down_ends, down_smooth], in_rows) in intervals[1].iter().zip(down) {
@@ -121,9 +117,9 @@ impl PieceSample {
 }
 
 impl Pieces {
-    /// All that is searched.
-    pub(super) fn all(field: &Field, extent: Extent) -> Vec<Self> {
-        let mut all: Vec<Self> = (0..field.layers.len()).map(|layer| Self::of_layer(field, layer, extent)).collect();
+    /// All that is searched, the surroundings of the loads only if `is_near`.
+    pub(super) fn all(field: &Field, is_near: bool) -> Vec<Self> {
+        let mut all: Vec<Self> = (0..field.layers.len()).map(|layer| Self::of_layer(field, layer, is_near)).collect();
         // about the places of the top face at which a pressure jumps
         let near = CLOSE * field.narrowest(0);
         let about = |at: f64| {
@@ -134,7 +130,7 @@ impl Pieces {
         all
     }
 
-    fn of_layer(field: &Field, layer: usize, extent: Extent) -> Self {
+    fn of_layer(field: &Field, layer: usize, is_near: bool) -> Self {
         let placed = &field.layers[layer];
         let body = &field.bodies[placed.body];
         let longest = field.longest();
@@ -161,7 +157,7 @@ impl Pieces {
         }
         let bending = field.thickness() * field.contrast.max(field.over_support).cbrt();
         let mut reach = features.iter().fold(0.0, |reach: f64, (x, length)| reach.max(x.abs() + BESIDE * length));
-        if extent == Extent::Everywhere {
+        if !is_near {
             reach = reach.max(longest + BEYOND * bending);
         }
         let [from, first] = if field.is_even { [0.0; 2] } else { [-reach, f64::NEG_INFINITY] };

@@ -26,9 +26,9 @@ mod waves;
 use recede_layers::Wave;
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
-pub use faces::FaceSide;
+pub use faces::{FaceProfile, FaceSide};
 pub use point::{FieldPoint, FieldQuantity, Grid, Point};
-pub(crate) use pressure::EvenPressure;
+pub(crate) use pressure::ContactPressure;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;
@@ -37,10 +37,8 @@ use crate::stack::Stack;
 use crate::system::FaceLoad;
 pub use error::FieldError;
 
-use body::{DepthRow, LoadedBody, PlacedLayer};
-use pressure::ContactPressure;
+use body::{DepthRow, LoadedBody, PlacedLayer, Rows};
 use surface::Components;
-use waves::LongWaves;
 
 /// Rounding of stresses, in parts of the mean pressure.
 const ROUNDING: f64 = 1e-12;
@@ -108,8 +106,8 @@ impl Field {
         let plane = stack.plane();
         let layers = body::layers(stack);
         let (is_even, middle) = (solution.about().is_some(), solution.about().unwrap_or(0.0));
-        let contacts: Vec<Contact> = solution.contacts().iter().map(|contact| contact.clone().moved(-middle)).collect();
-        let pressure = |contact: &Contact| ContactPressure::new(contact, is_even, middle.abs());
+        let contacts = solution.contacts();
+        let pressure = |contact| ContactPressure::new(contact, is_even, middle);
         let pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         let stiffnesses = |placed: &PlacedLayer| {
             let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
@@ -128,7 +126,7 @@ impl Field {
             pressures,
             is_even,
             middle,
-            joints: contacts.iter().map(Contact::touching).collect(),
+            joints: contacts.iter().map(|contact| contact.clone().moved(-middle).touching()).collect(),
             modulus,
             contrast: largest / smallest,
             over_support: largest / support_stiffness(stack, modulus),
@@ -157,8 +155,7 @@ impl Field {
     }
 
     fn at_point(&self, point: Point) -> Result<FieldPoint, FieldError> {
-        let points = self.points(&[point])?;
-        points.into_iter().next().ok_or_else(|| self.outside(&point))
+        Ok(self.points(&[point])?[0])
     }
 
     /// The estimated error of the stresses at a point, in stress: the error of the pressures, and the truncation error of the sums over
@@ -193,8 +190,8 @@ impl Field {
     pub fn points(&self, requested: &[Point]) -> Result<Vec<FieldPoint>, FieldError> {
         let row = |(set, point): (usize, &Point)| self.row(point, set);
         let rows: Vec<DepthRow> = requested.iter().enumerate().map(row).collect::<Result<_, _>>()?;
-        let sets: Vec<Vec<f64>> = requested.iter().map(|point| vec![point.x - self.middle]).collect();
-        let found = self.at_places(&rows, &sets, &waves::FULL)?.concat();
+        let sets = requested.iter().map(|point| vec![point.x - self.middle]).collect();
+        let found = self.at_places(&Rows { rows, sets }, &waves::FULL)?.concat();
         Ok(found.into_iter().zip(requested).map(|(found, Point { x, .. })| FieldPoint { x: *x, ..found }).collect())
     }
 
@@ -216,7 +213,7 @@ impl Field {
         let point =
             |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
         let rows: Vec<DepthRow> = depths.iter().map(point).collect::<Result<_, _>>()?;
-        Ok(Grid::new(xs.to_vec(), self.in_rows(xs, &rows, &FULL)?.concat()))
+        Ok(Grid::new(xs.to_vec(), self.lines(xs, &rows, &FULL)?.concat()))
     }
 
     /// Stresses and displacements layer by layer, on grids that reach the layers' faces, since stresses along the layers
@@ -253,35 +250,24 @@ impl Field {
                 counts.push(rows.len() - before);
             }
         }
-        let mut points = self.in_rows(xs, &rows, &FULL)?.into_iter();
+        let mut points = self.lines(xs, &rows, &FULL)?.into_iter();
         let grid = |count: usize| Grid::new(xs.to_vec(), points.by_ref().take(count).flatten().collect());
         Ok(counts.into_iter().map(grid).collect())
     }
 
     /// Points in rows at the same places along x.
-    fn in_rows(
-        &self,
-        xs: &[f64],
-        rows: &[DepthRow],
-        precision: &Precision,
-    ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
-        match xs.iter().find(|x| !x.is_finite()) {
-            Some(x) => Err(self.outside(&Point { x: *x, depth: 0.0, layer: None })),
-            None => {
-                let mut found = self.at_places(rows, &[xs.iter().map(|x| x - self.middle).collect()], precision)?;
-                found.iter_mut().for_each(|row| row.iter_mut().zip(xs).for_each(|(point, x)| point.x = *x));
-                Ok(found)
-            }
+    fn lines(&self, xs: &[f64], rows: &[DepthRow], precision: &Precision) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+        if let Some(x) = xs.iter().find(|x| !x.is_finite()) {
+            return Err(self.outside(&Point { x: *x, depth: 0.0, layer: None }));
         }
+        let sets = vec![xs.iter().map(|x| x - self.middle).collect()];
+        let mut found = self.at_places(&Rows { rows: rows.to_vec(), sets }, precision)?;
+        found.iter_mut().for_each(|row| row.iter_mut().zip(xs).for_each(|(point, x)| point.x = *x));
+        Ok(found)
     }
 
     /// Points in rows, each at a set of places that are counted from the middle.
-    fn at_places(
-        &self,
-        rows: &[DepthRow],
-        sets: &[Vec<f64>],
-        precision: &Precision,
-    ) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+    fn at_places(&self, Rows { rows, sets }: &Rows, precision: &Precision) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
         // in an even field places on both sides of the middle share their tables
         let distinct = |xs: &Vec<f64>| {
             let mut places: Vec<f64> = xs.iter().map(|x| self.folded(*x)).collect();
@@ -291,7 +277,7 @@ impl Field {
             (places, of)
         };
         let (places, of): (Vec<_>, Vec<_>) = sets.iter().map(distinct).unzip();
-        let values = self.sum(rows, &places, precision)?;
+        let values = self.sum(&Rows { rows: rows.clone(), sets: places }, precision)?;
         let origins = if precision.displacements { self.at_origin(precision)? } else { Vec::new() };
         // v of all bodies is counted from a half-plane
         let is_half_plane = self.bodies.last().is_some_and(|body| body.bottom.is_none());
@@ -310,8 +296,9 @@ impl Field {
         if self.middle == 0.0 {
             return Ok(Vec::new());
         }
-        let known: Vec<DepthRow> = self.bodies.iter().filter_map(|body| body.reference).collect();
-        let mut values = self.sum(&known, &[vec![self.place(0.0)]], precision)?.into_iter().zip(&known);
+        let rows: Vec<DepthRow> = self.bodies.iter().filter_map(|body| body.reference).collect();
+        let known = Rows { rows, sets: vec![vec![self.place(0.0)]] };
+        let mut values = self.sum(&known, precision)?.into_iter().zip(&known.rows);
         let displacements = |(values, row): (Vec<Components>, &DepthRow)| {
             let point = self.point(-self.middle, row, values[0]);
             [point.u, point.v]
@@ -361,17 +348,17 @@ impl Field {
         FieldError::Outside { place: point.written_in(self.geometry), allowed }
     }
 
-    /// The behaviour of transformed fields at λ = 0. They are smooth for waves long compared with the layers; fields of a graded
-    /// half-plane may have a power of λ there. In a homogeneous half-plane alone no length occurs but the depth down to which it is asked for.
-    fn origin(&self, deepest: f64) -> LongWaves {
+    /// The wavenumber below which transformed fields are smooth but for a power of λ, infinite if there is none, and whether there may be such a power.
+    /// They are smooth for waves long compared with the layers; fields of a graded half-plane may have a power of λ there. In a homogeneous
+    /// half-plane alone no length occurs but the depth down to which it is asked for.
+    fn origin(&self, deepest: f64) -> (f64, bool) {
         let [longest, thickness] = [self.longest(), self.thickness()];
         let smooth = (LONG / (self.contrast * thickness)).min(DEEP / deepest);
         let power = self.layers.last().is_some_and(|base| {
             let at = |depth: f64| base.layer.material(depth, self.geometry.plane());
             base.thickness.is_none() && at(0.0) != at(longest + thickness)
         });
-        let first = if power { POWER * smooth.min(longest.recip()) } else { smooth };
-        LongWaves { first, power }
+        (if power { POWER * smooth.min(longest.recip()) } else { smooth }, power)
     }
 }
 

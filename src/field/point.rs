@@ -88,6 +88,9 @@ impl FieldPoint {
     }
 }
 
+/// Names of a quantity in plane problems, and in axisymmetric ones in cylindrical coordinates; and its value at a point.
+type QuantityEntry = ([&'static str; 2], fn(&FieldPoint) -> f64);
+
 /// The quantities at a point of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FieldQuantity {
@@ -128,23 +131,22 @@ impl FieldQuantity {
         Self::V,
     ];
 
-    /// Names in plane problems, and in axisymmetric ones in cylindrical coordinates.
-    const NAMES: [[&str; 2]; Self::ALL.len()] = [
-        ["sigma_xx", "sigma_rr"],
-        ["sigma_yy", "sigma_zz"],
-        ["sigma_xy", "tau_rz"],
-        ["sigma_zz", "sigma_tt"],
-        ["sigma_1"; 2],
-        ["sigma_2"; 2],
-        ["max_shear"; 2],
-        ["von_mises"; 2],
-        ["u", "u_r"],
-        ["v", "u_z"],
+    const TABLE: [QuantityEntry; Self::ALL.len()] = [
+        (["sigma_xx", "sigma_rr"], |point| point.sigma_xx),
+        (["sigma_yy", "sigma_zz"], |point| point.sigma_yy),
+        (["sigma_xy", "tau_rz"], |point| point.sigma_xy),
+        (["sigma_zz", "sigma_tt"], |point| point.sigma_zz),
+        (["sigma_1"; 2], |point| point.principal()[0]),
+        (["sigma_2"; 2], |point| point.principal()[1]),
+        (["max_shear"; 2], FieldPoint::max_shear),
+        (["von_mises"; 2], FieldPoint::von_mises),
+        (["u", "u_r"], |point| point.u),
+        (["v", "u_z"], |point| point.v),
     ];
 
     /// The name of the quantity, as in the columns of a CSV file.
     pub fn name(self) -> &'static str {
-        Self::NAMES[self as usize][0]
+        Self::TABLE[self as usize].0[0]
     }
 
     /// The name of the quantity in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
@@ -154,7 +156,7 @@ impl FieldQuantity {
     /// assert_eq!(FieldQuantity::SigmaZz.name_in(Geometry::Axisymmetric), "sigma_tt");
     /// ```
     pub fn name_in(self, geometry: Geometry) -> &'static str {
-        Self::NAMES[self as usize][usize::from(geometry.is_axisymmetric())]
+        Self::TABLE[self as usize].0[usize::from(geometry.is_axisymmetric())]
     }
 
     /// The value of the quantity at a point.
@@ -168,18 +170,7 @@ impl FieldQuantity {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn of(self, point: &FieldPoint) -> f64 {
-        match self {
-            Self::SigmaXx => point.sigma_xx,
-            Self::SigmaYy => point.sigma_yy,
-            Self::SigmaXy => point.sigma_xy,
-            Self::SigmaZz => point.sigma_zz,
-            Self::Sigma1 => point.principal()[0],
-            Self::Sigma2 => point.principal()[1],
-            Self::MaxShear => point.max_shear(),
-            Self::VonMises => point.von_mises(),
-            Self::U => point.u,
-            Self::V => point.v,
-        }
+        (Self::TABLE[self as usize].1)(point)
     }
 
     /// The value of the quantity in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.

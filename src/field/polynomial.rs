@@ -2,6 +2,7 @@
 use super::measure::Measure;
 use super::mesh::{LayerPiece, POINTS, Pair, PieceSample};
 use crate::numeric::chebyshev::{self, barycentric_weights, interpolation_row};
+use crate::numeric::dot;
 
 /// The first and the last step of the search for the highest place, in parts of half a piece. Twice as large, the last one loses digits of
 /// places; values change by its square.
@@ -57,9 +58,8 @@ impl Polynomial {
             interpolation_row(points, &weights[axis], s, &mut shares[..points.len()]);
             shares
         };
-        let product = |values: &[f64], shares: &[f64]| values.iter().zip(shares).map(|(a, b)| a * b).sum::<f64>();
         let at = |along: &[f64], down: &[f64]| {
-            self.values.iter().zip(down).map(|(row, share)| share * product(row, along)).sum::<f64>()
+            self.values.iter().zip(down).map(|(row, share)| share * dot(row, along)).sum::<f64>()
         };
         // there may be several high places: the search begins at the highest of the points in between
         let between = [0, 1].map(|axis| {

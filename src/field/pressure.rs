@@ -3,7 +3,7 @@ use std::iter::zip;
 
 use num_complex::Complex64;
 
-use super::strip::{Singularity, TabulatedStrip};
+use super::strip::TabulatedStrip;
 use super::transform::{Potentials, Transform};
 use crate::solution::{Contact, Form, Strip};
 
@@ -14,28 +14,9 @@ const AT: f64 = 4.0 * f64::EPSILON;
 /// of more intervals the outermost ends: steps from one element to the next mean nothing, and each end takes a dozen points in every row.
 const APART: usize = 16;
 
-/// The pressure of a contact that is even about a place.
-pub(crate) struct EvenPressure(ContactPressure);
-
-impl EvenPressure {
-    pub(crate) fn new(contact: &Contact, about: f64) -> Self {
-        Self(ContactPressure::new(&contact.clone().moved(-about), true, about.abs()))
-    }
-
-    /// Its resultant; of a disc ∫ p r dr.
-    pub(crate) fn resultant(&self) -> f64 {
-        self.0.long_waves(0.0).re
-    }
-
-    /// Its transform about the place less the resultant, at some wavenumbers.
-    pub(crate) fn variations(&self, wavenumbers: &[f64]) -> impl Iterator<Item = f64> {
-        self.0.transforms(wavenumbers).into_iter().map(|one| one.variation.re)
-    }
-}
-
 /// A sum of strips.
 #[derive(Clone, Debug)]
-pub(super) struct ContactPressure {
+pub(crate) struct ContactPressure {
     /// The distance of the farthest end from the middle of the field, from which all places here are counted.
     pub(super) half_length: f64,
     /// The strips; of an even pressure those whose middles are at x ≥ 0, each of which has a mirror image.
@@ -50,8 +31,9 @@ pub(super) struct ContactPressure {
 }
 
 impl ContactPressure {
-    /// The pressure of a contact, which is even if `is_even`, with places that are counted from a middle so far from x = 0.
-    pub(super) fn new(contact: &Contact, is_even: bool, far: f64) -> Self {
+    /// The pressure of a contact, which is even if `is_even`, with places that are counted from a `middle`.
+    pub(crate) fn new(contact: &Contact, is_even: bool, middle: f64) -> Self {
+        let (contact, far) = (contact.clone().moved(-middle), middle.abs());
         let strips = || contact.strips.iter().filter(|strip| !is_even || strip.at >= 0.0);
         let end = |strip: &Strip| strip.at.abs() + strip.extent;
         let half_length = strips().map(end).fold(0.0, f64::max);
@@ -107,15 +89,15 @@ impl ContactPressure {
         self.strips().filter(|_| self.is_whole).find(ends)
     }
 
-    /// The places at which stresses on the face are infinite, of an even pressure those x ≥ 0, and the kind of the singularity.
-    pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
-        self.strips().flat_map(Strip::singular_points).map(|(x, kind)| (self.place(x), kind))
+    /// The places at which stresses on the face are infinite, of an even pressure those x ≥ 0, and whether the face sinks without limit there.
+    pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, bool)> {
+        self.strips().flat_map(Strip::singular_points).map(|(x, sinks)| (self.place(x), sinks))
     }
 
-    /// The strongest singularity of stresses on the face at a place.
-    pub(super) fn singularity(&self, x: f64) -> Option<Singularity> {
+    /// Whether the face sinks without limit at a place at which stresses on it are infinite; `None` where they are finite.
+    pub(super) fn singularity(&self, x: f64) -> Option<bool> {
         let here = self.singular_points().filter(|(at, _)| (self.place(x) - at).abs() <= AT * (at.abs() + self.far));
-        here.map(|(_, kind)| kind).min_by_key(|kind| *kind as u8)
+        here.map(|(_, sinks)| sinks).max()
     }
 
     /// The distance of a place from the nearest one at which the pressure is not smooth: ends, and singular points.
@@ -130,9 +112,14 @@ impl ContactPressure {
         self.strips.iter().map(|one| self.images(&one.strip) * one.envelope(wavenumber)).sum()
     }
 
+    /// Its resultant; of a disc ∫ p r dr.
+    pub(crate) fn resultant(&self) -> f64 {
+        self.long_waves(0.0).re
+    }
+
     /// The mean pressure if it were spread over this half-length.
     pub(super) fn mean(&self, length: f64) -> f64 {
-        let resultant = self.long_waves(0.0).re;
+        let resultant = self.resultant();
         if self.is_round() { 2.0 * resultant / (length * length) } else { resultant / (2.0 * length) }
     }
 
@@ -148,8 +135,8 @@ impl ContactPressure {
         Complex64::new(resultant, wavenumber * moment)
     }
 
-    /// The transforms at some wavenumbers; of an even pressure only their real parts have a meaning.
-    pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+    /// The transforms about the middle at some wavenumbers; of an even pressure only their real parts have a meaning.
+    pub(crate) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
         let mut sums = vec![Transform::default(); wavenumbers.len()];
         for strip in self.strips() {
             let (images, resultant) = (self.images(strip), strip.long_waves());

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use super::body::DepthRow;
 use super::error::FieldError;
-use super::measure::{Extent, ExtremeSearch, Measure};
+use super::measure::{ExtremeSearch, Measure};
 use super::mesh::{LayerPiece, Pair, PieceSample, Pieces};
 use super::polynomial::{Height, Polynomial};
 use super::waves::{self, Precision};
@@ -107,11 +107,7 @@ impl Candidate {
 }
 
 /// The highest place of each search; `None` where the quantity is nowhere positive, or not known.
-pub(super) fn highest(
-    field: &Field,
-    searches: &[ExtremeSearch],
-    extent: Extent,
-) -> Result<Vec<Option<HighestPlace>>, FieldError> {
+pub(super) fn highest(field: &Field, searches: &[ExtremeSearch]) -> Result<Vec<Option<HighestPlace>>, FieldError> {
     // where the top layer has infinite stresses there is nothing to search for
     let infinite: Vec<Option<HighestPlace>> = searches.iter().map(|search| infinite(field, search)).collect();
     // without a length stresses fall with the distance from a force
@@ -119,9 +115,10 @@ pub(super) fn highest(
         return Ok(infinite);
     }
     // far from the loads stresses may be smaller than what is left out
-    let first = if extent == Extent::Near { &waves::COARSE } else { &waves::LOW };
+    let is_near = searches.iter().all(|search| search.measure.is_near_loads());
+    let first = if is_near { &waves::COARSE } else { &waves::LOW };
     let samples: Vec<PieceSample> =
-        PieceSample::all(field, &Pieces::all(field, extent), first)?.into_iter().flatten().collect();
+        PieceSample::all(field, &Pieces::all(field, is_near), first)?.into_iter().flatten().collect();
     let candidates = |(ExtremeSearch { measure, layer }, infinite): (&ExtremeSearch, &Option<HighestPlace>)| {
         if infinite.is_some() {
             return Vec::new();
@@ -138,17 +135,17 @@ pub(super) fn highest(
         // nothing is to be learnt about a place that is a point already, and the highest of its surroundings
         let is_open = |one: &Candidate| !one.is_inside || round == 0 && one.expected.1 > one.seen.1;
         let chosen = candidates.iter_mut().flat_map(|own| open(field, own, 1.0 - PROMISING)).filter(|one| is_open(one));
-        if !follow(field, chosen.collect(), &waves::LOW, false)? {
+        if !follow(field, chosen.collect(), &waves::LOW)? {
             break;
         }
     }
     for _ in 0..ROUNDS {
         let chosen = candidates.iter_mut().flat_map(|own| open(field, own, UNSURE));
-        if !follow(field, chosen.collect(), &waves::STRESSES, true)? {
+        if !follow(field, chosen.collect(), &waves::STRESSES)? {
             break;
         }
     }
-    Ok(candidates.into_iter().zip(infinite).map(|(own, infinite)| infinite.or_else(|| uppermost(own))).collect())
+    Ok(candidates.iter().zip(infinite).map(|(own, infinite)| infinite.or_else(|| uppermost(own))).collect())
 }
 
 /// Where on the top face a stress is infinite: at a singular point next to which it grows in some direction. The closed forms tell: the rest of
@@ -181,12 +178,8 @@ fn next_to(field: &Field, measure: Measure, x: f64, distance: f64) -> (f64, f64)
 }
 
 /// Follows some candidates; whether there are any.
-fn follow(
-    field: &Field,
-    mut chosen: Vec<&mut Candidate>,
-    precision: &Precision,
-    is_exact: bool,
-) -> Result<bool, FieldError> {
+fn follow(field: &Field, mut chosen: Vec<&mut Candidate>, precision: &Precision) -> Result<bool, FieldError> {
+    let is_exact = precision.inside <= waves::STRESSES.inside;
     let smaller = |one: &&mut Candidate| one.piece.about(one.expected.0, one.reach).alone();
     let samples = PieceSample::all(field, &chosen.iter().map(smaller).collect::<Vec<_>>(), precision)?;
     for (one, samples) in chosen.iter_mut().zip(samples) {
@@ -201,19 +194,13 @@ fn follow(
 }
 
 /// The highest of some peaks, and of equal ones in several layers that in the uppermost layer.
-fn uppermost(candidates: Vec<Candidate>) -> Option<HighestPlace> {
-    let exact = candidates.iter().filter(|one| one.is_exact);
-    let peaks: Vec<HighestPlace> = exact
-        .map(|Candidate { measure, piece, seen: (place, value), .. }| HighestPlace {
-            measure: *measure,
-            layer: piece.layer,
-            place: *place,
-            value: *value,
-        })
-        .collect();
-    let highest = peaks.iter().fold(0.0, |highest: f64, peak| highest.max(peak.value));
-    let same = peaks.into_iter().filter(|peak| peak.value > 0.0 && peak.value >= SAME * highest);
-    same.min_by(|a, b| a.layer.cmp(&b.layer).then(b.value.total_cmp(&a.value)))
+fn uppermost(candidates: &[Candidate]) -> Option<HighestPlace> {
+    let exact = || candidates.iter().filter(|one| one.is_exact);
+    let highest = exact().fold(0.0, |highest: f64, one| highest.max(one.seen.1));
+    let same = exact().filter(|one| one.seen.1 > 0.0 && one.seen.1 >= SAME * highest);
+    let found = same.min_by(|a, b| a.piece.layer.cmp(&b.piece.layer).then(b.seen.1.total_cmp(&a.seen.1)))?;
+    let Candidate { measure, piece, seen: (place, value), .. } = *found;
+    Some(HighestPlace { measure, layer: piece.layer, place, value })
 }
 
 /// The highest pieces, which are followed.

@@ -149,16 +149,6 @@ impl Strip {
         potentials
     }
 
-    /// The places at which stresses on the face are infinite, and the kind of the singularity: a line load, the
-    /// corners of a flat punch, and a sharp tip.
-    pub(super) fn singular_points(&self) -> impl Iterator<Item = (f64, Singularity)> {
-        let line = (self.form == Form::Line).then_some((self.at, Singularity::Line));
-        let corners = zip(self.ends(), self.corners).filter(|(_, corner)| *corner != 0.0);
-        let corners = corners.map(|(end, _)| (end, Singularity::Corner));
-        let tip = (self.tip != 0.0).then_some((self.tip_place(), Singularity::Tip));
-        line.into_iter().chain(corners).chain(tip)
-    }
-
     /// G_(−1) from some terms of the series.
     fn integral(&self, z: Complex64, w: Complex64, terms: usize) -> Complex64 {
         let square = -(w * w);
@@ -231,17 +221,6 @@ impl Strip {
         let [zeroth, first, second] = potentials.map(|potential| factor * potential);
         Some([factor * a * integral, zeroth, first, second])
     }
-}
-
-/// The kind of a singularity of the stresses on a loaded face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Singularity {
-    /// Like the inverse of the distance, and v like its logarithm.
-    Line,
-    /// Like the inverse of the root of the distance.
-    Corner,
-    /// Like the logarithm of the distance: shear stresses stay finite.
-    Tip,
 }
 
 /// ln z, finite at 0.

@@ -7,10 +7,10 @@ use faer::{Accum, MatMut, MatRef, Par};
 use num_complex::Complex64;
 use recede_layers::{State, Wave};
 
-use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, components};
+use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, Rows, components};
 use super::error::FieldError;
+use super::joints::Motion;
 use super::pressure::ContactPressure;
-use super::strip::Singularity;
 use super::surface::{COMPONENTS, Components};
 use super::transform::Transform;
 use super::waves::{self, CutOff, Precision, WavePanel};
@@ -29,15 +29,19 @@ struct Active {
     lifts: [f64; 2],
 }
 
-/// How far the sums over wavenumbers go.
-struct CutOffs {
-    /// Pressure by pressure.
-    pressures: Vec<CutOff>,
-    /// For the reference points of the bodies.
-    origins: Vec<f64>,
-    /// The rows with anything to sum, by their sets, those with the largest cut-offs first.
-    active: Vec<Active>,
+/// A part of the field: what is even about x = 0, or what is odd.
+struct Part {
+    /// For each component the table of [`WavePanel::tables`] and the sign of its wave.
+    tables: [(usize, f64); COMPONENTS],
+    /// The displacement that does not vanish at x = 0, and is counted from the reference point of its body, with the sign of its wave.
+    counted: (usize, f64),
 }
+
+/// The odd part is the even part a quarter of a wave to the right.
+const PARTS: [Part; 2] = [
+    Part { tables: [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)], counted: (4, 1.0) },
+    Part { tables: [(0, 1.0), (0, 1.0), (1, -1.0), (2, -1.0), (0, 1.0), (1, -1.0)], counted: (3, -1.0) },
+];
 
 /// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
 fn faces<'a>(
@@ -55,29 +59,27 @@ fn faces<'a>(
 }
 
 impl Field {
-    /// σ_xx, σ_yy, σ_xy, u, v, dv/dx in rows of points, `sets[row.set]` each.
-    pub(super) fn sum(
-        &self,
-        rows: &[DepthRow],
-        sets: &[Vec<f64>],
-        precision: &Precision,
-    ) -> Result<Vec<Vec<Components>>, FieldError> {
-        let asked = rows.len();
-        let (mut rows, mut sets) = (rows.to_vec(), sets.to_vec());
-        let joints = if precision.displacements { self.joints(&mut rows, &mut sets) } else { Vec::new() };
-        let closed = |row: &DepthRow| self.closed(row, &sets[row.set], precision.displacements);
-        let mut values: Vec<Vec<Components>> = rows.iter().map(closed).collect();
-        self.integrate(&rows, &sets, precision, &mut values)?;
+    /// σ_xx, σ_yy, σ_xy, u, v, dv/dx in rows of points.
+    pub(super) fn sum(&self, rows: &Rows, precision: &Precision) -> Result<Vec<Vec<Components>>, FieldError> {
+        let (mut rows, asked) = (rows.clone(), rows.rows.len());
+        let joints = if precision.displacements { self.joints(&mut rows) } else { Vec::new() };
+        let closed = |row: &DepthRow| self.closed(row, &rows.sets[row.set], precision.displacements);
+        let mut values: Vec<Vec<Components>> = rows.rows.iter().map(closed).collect();
+        self.integrate(&rows, precision, &mut values)?;
         if !precision.displacements {
             return Ok(values);
         }
         // v of a body is counted from v of the body below, where they touch
         let motions = self.motions(&joints, &values.split_off(asked));
-        for (row, values) in rows.iter().zip(&mut values) {
+        for (row, values) in rows.rows.iter().zip(&mut values) {
             let placed = &self.layers[row.layer];
             let depth = row.depth + placed.top - self.bodies[placed.body].top;
-            let places = values.iter_mut().zip(&sets[row.set]);
-            places.for_each(|(value, x)| motions[placed.body].add_to(value, *x, depth));
+            let Motion { lift, turn } = motions[placed.body];
+            for ([.., u, v, slope], x) in values.iter_mut().zip(&rows.sets[row.set]) {
+                *u += turn * depth;
+                *v += lift + turn * x;
+                *slope += turn;
+            }
         }
         Ok(values)
     }
@@ -108,29 +110,22 @@ impl Field {
             let pressure = &self.pressures[contact];
             let closed = face.surface.closed(pressure, x, distance, displacements);
             sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
-            if let Some(kind) = pressure.singularity(x).filter(|_| distance == 0.0) {
+            if let Some(sinks) = pressure.singularity(x).filter(|_| distance == 0.0) {
                 // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
                 [sum[0], sum[1], sum[2]] = [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NAN];
+                sum[4] = if sinks { f64::NEG_INFINITY } else { sum[4] };
                 sum[5] = f64::NAN;
-                if kind == Singularity::Line {
-                    sum[4] = f64::NEG_INFINITY;
-                }
             }
         }
         sum
     }
 
     /// Adds the integrals over the wavenumber of the remainders of the closed forms.
-    fn integrate(
-        &self,
-        rows: &[DepthRow],
-        sets: &[Vec<f64>],
-        precision: &Precision,
-        values: &mut [Vec<Components>],
-    ) -> Result<(), FieldError> {
-        let parities = if self.is_even { &[Symmetry::Even][..] } else { &[Symmetry::Even, Symmetry::Odd] };
+    fn integrate(&self, rows: &Rows, precision: &Precision, values: &mut [Vec<Components>]) -> Result<(), FieldError> {
+        let sets = &rows.sets;
+        let parts = if self.is_even { 1 } else { PARTS.len() };
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(y.abs()));
-        let CutOffs { pressures: cut_offs, origins, mut active } = self.cut_offs(rows, sets, precision, farthest);
+        let (cut_offs, origins, mut active) = self.cut_offs(rows, precision, farthest);
         if active.is_empty() {
             return Ok(());
         }
@@ -143,32 +138,32 @@ impl Field {
         let mut longest = vec![[0.0; 2]; self.bodies.len()];
         for panel in &panels {
             let waves = self.waves(panel, &cut_offs);
-            let size = COMPONENTS * waves.count() * active.len();
-            let mut blocks: Vec<TransformedRows> =
-                parities.iter().map(|parity| TransformedRows { parity: *parity, values: vec![0.0; size] }).collect();
-            for block in &mut blocks {
+            // of each part component c of row k at the wavenumber q stands at (6k + c)·n + q
+            let mut blocks = vec![vec![0.0; COMPONENTS * waves.wavenumbers.len() * active.len()]; parts];
+            for (part, block) in blocks.iter_mut().enumerate() {
                 for (body, origin) in origins.iter().enumerate() {
-                    let longest = &mut longest[body][block.parity as usize];
-                    self.add_body(body, &waves, &mut active, (*origin, longest), block)?;
+                    let longest = &mut longest[body][part];
+                    self.add_body((body, part), &waves, &mut active, (*origin, longest), block)?;
                 }
             }
             for sum in &mut sums {
-                sum.add(self.geometry, panel, &waves, &blocks, &active);
+                sum.add(self.geometry, &waves, &blocks, &active);
             }
         }
         for sum in &sums {
             sum.collect(&active, values);
         }
-        for (active, parity) in active.iter().flat_map(|active| parities.iter().map(move |parity| (active, parity))) {
-            let (component, sign) = parity.counted();
-            let lift = sign * active.lifts[*parity as usize];
-            values[active.index].iter_mut().for_each(|value| value[component] += lift);
+        for active in &active {
+            for (Part { counted: (component, sign), .. }, lift) in PARTS.iter().zip(active.lifts) {
+                values[active.index].iter_mut().for_each(|value| value[*component] += sign * lift);
+            }
         }
         Ok(())
     }
 
-    /// The cut-offs for these rows, with places as far out as `farthest`.
-    fn cut_offs(&self, rows: &[DepthRow], sets: &[Vec<f64>], precision: &Precision, farthest: f64) -> CutOffs {
+    /// How far the sums over wavenumbers go with places as far out as `farthest`: pressure by pressure; for the reference points of the bodies; and
+    /// the rows with anything to sum, by their sets, those with the largest cut-offs first.
+    fn cut_offs(&self, rows: &Rows, precision: &Precision, farthest: f64) -> (Vec<CutOff>, Vec<f64>, Vec<Active>) {
         let cut_off = |contact: usize| {
             let own = self.length(contact);
             CutOff { end: 0.0, extent: farthest + own, own }
@@ -176,12 +171,13 @@ impl Field {
         let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
         // the last wavenumber of a row
         let mut end_of = |row: &DepthRow| {
-            self.ends(row, precision, farthest).fold(0.0, |last: f64, (contact, end)| {
+            self.decays(row).fold(0.0, |last: f64, (contact, decay)| {
+                let end = decay.map_or(0.0, |decay| self.end(contact, &decay, precision, farthest));
                 pressures[contact].end = pressures[contact].end.max(end);
                 last.max(end)
             })
         };
-        let wanted = rows.iter().enumerate().filter(|(_, row)| !sets[row.set].is_empty());
+        let wanted = rows.rows.iter().enumerate().filter(|(_, row)| !rows.sets[row.set].is_empty());
         let mut active: Vec<Active> = wanted
             .map(|(index, row)| Active { row: *row, index, end: end_of(row), lifts: [0.0; 2] })
             .filter(|active| active.end > 0.0)
@@ -190,11 +186,11 @@ impl Field {
         let reference = |body: &LoadedBody| body.reference.filter(|_| precision.displacements);
         let mut origin = |body: &LoadedBody| reference(body).map_or(0.0, |row| end_of(&row));
         let origins = if active.is_empty() { Vec::new() } else { self.bodies.iter().map(&mut origin).collect() };
-        CutOffs { pressures, origins, active }
+        (pressures, origins, active)
     }
 
     /// The wavenumbers of a panel, with the transforms of the pressures there.
-    pub(super) fn waves(&self, panel: &WavePanel, cut_offs: &[CutOff]) -> PanelWaves {
+    fn waves<'a>(&self, panel: &'a WavePanel, cut_offs: &[CutOff]) -> PanelWaves<'a> {
         let (wavenumbers, weights) = panel.points();
         let of = |(pressure, cut_off): (&ContactPressure, &CutOff)| match cut_off.end > panel.lo {
             true => pressure.transforms(&wavenumbers),
@@ -204,30 +200,30 @@ impl Field {
             }
         };
         let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
-        PanelWaves { from: panel.lo, wavenumbers, weights, transforms }
+        PanelWaves { panel, wavenumbers, weights, transforms }
     }
 
-    /// The transformed components, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and their lifts from the
+    /// The transformed components of a part of the field, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and their lifts from the
     /// reference point of the body, whose cut-off is `origin`; `longest` is the measure of waves before these that are too long to tell how a laminate is squeezed.
     fn add_body(
         &self,
-        index: usize,
+        (index, part): (usize, usize),
         waves: &PanelWaves,
         active: &mut [Active],
         (origin, longest): (f64, &mut f64),
-        block: &mut TransformedRows,
+        block: &mut [f64],
     ) -> Result<(), FieldError> {
-        let (body, (counted, _)) = (&self.bodies[index], block.parity.counted());
-        let n = waves.count();
+        let (body, (counted, _)) = (&self.bodies[index], PARTS[part].counted);
+        let (from, n) = (waves.panel.lo, waves.wavenumbers.len());
         // (depth, row or `None` for the reference point), layer by layer
         let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers.len()];
-        for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > waves.from) {
+        for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > from) {
             let placed = &self.layers[active.row.layer];
             if placed.body == index {
                 wanted[placed.place].push((active.row.depth, Some(k)));
             }
         }
-        if wanted.iter().all(Vec::is_empty) && origin <= waves.from {
+        if wanted.iter().all(Vec::is_empty) && origin <= from {
             return Ok(());
         }
         if let Some(DepthRow { layer, depth, .. }) = body.reference.filter(|_| origin > 0.0) {
@@ -241,7 +237,7 @@ impl Field {
         let reach = body.contacts().map(|contact| self.length(contact)).fold(self.thickness(), f64::max);
         for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
             let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
-            let transform = |contact: usize| block.parity.of(&waves.transforms[contact][q]);
+            let transform = |contact: usize| waves.transforms[contact][q].part(part);
             let load = load(body, *wavenumber, transform);
             let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
             let mut at_reference = 0.0;
@@ -257,7 +253,7 @@ impl Field {
                         continue;
                     };
                     for (c, value) in remainder.into_iter().enumerate() {
-                        block.values[(COMPONENTS * k + c) * n + q] = value;
+                        block[(COMPONENTS * k + c) * n + q] = value;
                     }
                     lifted[*k] = remainder[counted];
                 }
@@ -271,7 +267,7 @@ impl Field {
             let share = 1.0 + std::mem::take(longest) / measure;
             for (active, lifted) in active.iter_mut().zip(&lifted) {
                 if self.layers[active.row.layer].body == index {
-                    active.lifts[block.parity as usize] += share * (lifted - at_reference);
+                    active.lifts[part] += share * (lifted - at_reference);
                 }
             }
         }
@@ -301,43 +297,9 @@ impl Field {
     }
 }
 
-/// The part of the pressures that is even about x = 0, or the odd part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Symmetry {
-    Even,
-    Odd,
-}
-
-impl Symmetry {
-    /// The transform of the part, and its variation.
-    pub(super) fn of(self, transform: &Transform) -> [f64; 2] {
-        let Transform { value, variation } = transform;
-        match self {
-            Self::Even => [value.re, variation.re],
-            Self::Odd => [value.im, variation.im],
-        }
-    }
-
-    /// For each component the table of [`WavePanel::tables`] and the sign of its wave: the odd part is the even part a quarter of a wave to the right.
-    fn tables(self) -> [(usize, f64); COMPONENTS] {
-        match self {
-            Self::Even => [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)],
-            Self::Odd => [(0, 1.0), (0, 1.0), (1, -1.0), (2, -1.0), (0, 1.0), (1, -1.0)],
-        }
-    }
-
-    /// The displacement that does not vanish at x = 0, and is counted from the reference point of its body, with the sign of its wave.
-    fn counted(self) -> (usize, f64) {
-        match self {
-            Self::Even => (4, 1.0),
-            Self::Odd => (3, -1.0),
-        }
-    }
-}
-
 /// The loads on a body, from the transforms of the pressures and their variations: for long waves, the equal part of both pressures and
 /// their small difference.
-pub(super) fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> FaceLoad {
+fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> FaceLoad {
     let [top, top_variation] = transform(body.contact);
     let Some(bottom) = body.bottom else { return FaceLoad { top: -top, ..FaceLoad::default() } };
     let [other, variation] = transform(body.contact + 1);
@@ -349,25 +311,12 @@ pub(super) fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize)
 }
 
 /// The wavenumbers of one panel, with the transforms of the pressures.
-pub(super) struct PanelWaves {
-    /// Where the panel begins.
-    from: f64,
-    pub(super) wavenumbers: Vec<f64>,
-    pub(super) weights: Vec<f64>,
+struct PanelWaves<'a> {
+    panel: &'a WavePanel,
+    wavenumbers: Vec<f64>,
+    weights: Vec<f64>,
     /// Transforms of the pressures, contact by contact.
-    pub(super) transforms: Vec<Vec<Transform>>,
-}
-
-impl PanelWaves {
-    fn count(&self) -> usize {
-        self.wavenumbers.len()
-    }
-}
-
-/// Transformed components in one panel of one part of the field: component c of row k at the wavenumber q stands at (6k + c)·n + q.
-struct TransformedRows {
-    parity: Symmetry,
-    values: Vec<f64>,
+    transforms: Vec<Vec<Transform>>,
 }
 
 /// The sums over wavenumbers at the places of one set, for its rows: column by column, one value per place.
@@ -387,39 +336,31 @@ impl<'a> WaveSums<'a> {
         Self { places, rows, displacements, values: std::array::from_fn(|_| vec![0.0; size]) }
     }
 
-    /// Adds a panel.
-    fn add(
-        &mut self,
-        geometry: Geometry,
-        panel: &WavePanel,
-        waves: &PanelWaves,
-        blocks: &[TransformedRows],
-        active: &[Active],
-    ) {
-        let (n, m) = (waves.count(), self.places.len());
-        let count = active[self.rows.clone()].partition_point(|active| active.end > waves.from);
+    /// Adds a panel, with the transformed components of all parts.
+    fn add(&mut self, geometry: Geometry, waves: &PanelWaves, blocks: &[Vec<f64>], active: &[Active]) {
+        let (n, m) = (waves.wavenumbers.len(), self.places.len());
+        let count = active[self.rows.clone()].partition_point(|active| active.end > waves.panel.lo);
         if count == 0 || m == 0 {
             return;
         }
-        let tables = panel.tables(geometry, self.places, &waves.wavenumbers);
+        let tables = waves.panel.tables(geometry, self.places, &waves.wavenumbers);
         // the stress about the axis takes the displacement from it
         let wanted = match (self.displacements, geometry) {
             (true, _) => COMPONENTS,
             (false, Geometry::Axisymmetric) => 4,
             (false, _) => 3,
         };
-        let of = |block: &TransformedRows| block.parity.tables().into_iter().enumerate().take(wanted);
-        for (block, (component, (table, sign))) in
-            blocks.iter().flat_map(|block| of(block).map(move |one| (block, one)))
-        {
-            let places = MatRef::from_column_major_slice(&tables[table], m, n);
-            let mut coefficients = Vec::with_capacity(n * count);
-            for k in self.rows.start..self.rows.start + count {
-                coefficients.extend_from_slice(&block.values[(COMPONENTS * k + component) * n..][..n]);
+        for (part, block) in PARTS.iter().zip(blocks) {
+            for (component, (table, sign)) in part.tables.into_iter().enumerate().take(wanted) {
+                let places = MatRef::from_column_major_slice(&tables[table], m, n);
+                let mut coefficients = Vec::with_capacity(n * count);
+                for k in self.rows.start..self.rows.start + count {
+                    coefficients.extend_from_slice(&block[(COMPONENTS * k + component) * n..][..n]);
+                }
+                let coefficients = MatRef::from_column_major_slice(&coefficients, n, count);
+                let sums = MatMut::from_column_major_slice_mut(&mut self.values[component][..m * count], m, count);
+                matmul(sums, Accum::Add, places, coefficients, sign, Par::Seq);
             }
-            let coefficients = MatRef::from_column_major_slice(&coefficients, n, count);
-            let sums = MatMut::from_column_major_slice_mut(&mut self.values[component][..m * count], m, count);
-            matmul(sums, Accum::Add, places, coefficients, sign, Par::Seq);
         }
     }
 

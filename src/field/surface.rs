@@ -69,9 +69,8 @@ impl Surface {
         // once more with a smaller step where the material varies within a part of the depth
         let estimate = grading(&slope_over(STEP * depth));
         let slope = slope_over(STEP * depth.min(estimate.recip()));
-        let decay = Matrix4::identity() - state;
-        let terms = match polynomials(&decay, PLAIN, &[], Some(-1.0)) {
-            Some(plain) => vec![RootTerm::double(&decay, &state, &slope, &plain, modulus / unit)],
+        let terms = match polynomials(&state, PLAIN, &[], -1.0) {
+            Some(plain) => vec![RootTerm::double(&state, &slope, &plain, modulus / unit)],
             None => RootTerm::simple(&at_face, modulus)?,
         };
         Some(Self { terms, modulus, shift: depth.min(grading(&slope).recip()), is_round: false, up: 1.0 })
@@ -118,16 +117,10 @@ impl Surface {
 
 impl RootTerm {
     /// The double root 1, from the polynomial of the half-plane and the slope of its state matrix; `softness` is the unit of displacements.
-    fn double(
-        decay: &Matrix4<f64>,
-        state: &Matrix4<f64>,
-        slope: &Matrix4<f64>,
-        plain: &[Vector4<f64>],
-        softness: f64,
-    ) -> Self {
+    fn double(state: &Matrix4<f64>, slope: &Matrix4<f64>, plain: &[Vector4<f64>], softness: f64) -> Self {
         let forcing: Vec<Vector4<f64>> =
             [Vector4::zeros()].into_iter().chain(plain.iter().map(|y| -slope * y)).collect();
-        let varied = polynomials(decay, VARIED, &forcing, None).unwrap_or_else(|| vec![Vector4::zeros(); VARIED]);
+        let varied = polynomials(state, VARIED, &forcing, 0.0).unwrap_or_else(|| vec![Vector4::zeros(); VARIED]);
         // σ_xx = E λU + c S, and the same with the slopes of E and c
         let along = |matrix: &Matrix4<f64>, y: &Vector4<f64>| matrix[(3, 0)] * y[0] + matrix[(3, 2)] * y[2];
         let components = |y: &Vector4<f64>, along: f64| {
@@ -234,17 +227,12 @@ fn state_matrix(material: &Material, modulus: f64) -> Matrix4<f64> {
     )
 }
 
-/// The polynomial Σ y_k t^k that solves Y' = N Y + Σ f_k t^k with S = `load` (or 0) and T = 0 at t = 0; `None` if there is
-/// none of this degree.
-fn polynomials(
-    matrix: &Matrix4<f64>,
-    terms: usize,
-    forcing: &[Vector4<f64>],
-    load: Option<f64>,
-) -> Option<Vec<Vector4<f64>>> {
-    // y_(k+1) = (N y_k + f_k)/(k + 1), as a part for each unknown component U, V of y_0 and a part that is known
+/// The polynomial Σ y_k t^k that solves Y' = (1 − A) Y + Σ f_k t^k, A being the `state` matrix, with S = `load` and T = 0 at t = 0; `None` if there is none of this degree.
+fn polynomials(state: &Matrix4<f64>, terms: usize, forcing: &[Vector4<f64>], load: f64) -> Option<Vec<Vector4<f64>>> {
+    let matrix = Matrix4::identity() - state;
+    // y_(k+1) = ((1 − A) y_k + f_k)/(k + 1), as a part for each unknown component U, V of y_0 and a part that is known
     let force = |k: usize| forcing.get(k).copied().unwrap_or_else(Vector4::zeros);
-    let mut known = vec![Vector4::new(0.0, 0.0, load.unwrap_or(0.0), 0.0)];
+    let mut known = vec![Vector4::new(0.0, 0.0, load, 0.0)];
     let mut parts = vec![Matrix4x2::identity()];
     for k in 0..terms {
         let share = ((k + 1) as f64).recip();
@@ -258,7 +246,7 @@ fn polynomials(
     let largest = |vectors: &[Vector4<f64>]| vectors.iter().map(Vector4::amax).fold(0.0, f64::max);
     let missed = terms as f64 * (part * unknown - right_hand_side).amax();
     // not "missed > ...", which a NaN would pass
-    let solved = missed <= SOLVED * largest(forcing).max(load.map_or(0.0, f64::abs)).max(largest(&found));
+    let solved = missed <= SOLVED * largest(forcing).max(load.abs()).max(largest(&found));
     solved.then_some(found)
 }
 

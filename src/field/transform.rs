@@ -26,14 +26,19 @@ pub(super) type Potentials = [Complex64; 4];
 /// The transform of a pressure at a wavenumber, eq. (22), ∫ p e^(iλx) dx: the real part belongs to the part of the pressure that is even
 /// about x = 0, which loads the bodies like cos λx, the imaginary one to the odd part, which loads them like sin λx.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Transform {
+pub(crate) struct Transform {
     /// p̂
-    pub(super) value: Complex64,
+    pub(crate) value: Complex64,
     /// The difference of p̂ and its limit for long waves, P + iλM with the moment M: accurate to rounding.
-    pub(super) variation: Complex64,
+    pub(crate) variation: Complex64,
 }
 
 impl Transform {
+    /// p̂ and its variation in the even part, 0, or in the odd part, 1.
+    pub(super) fn part(&self, part: usize) -> [f64; 2] {
+        [self.value, self.variation].map(|value| [value.re, value.im][part])
+    }
+
     /// The transform of the pressure moved by a length; P is the resultant.
     pub(super) fn moved(self, wavenumber: f64, length: f64, resultant: f64) -> Self {
         if length == 0.0 {
@@ -72,7 +77,7 @@ impl Strip {
             return self.transforms_with_tip(wavenumbers);
         }
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.extent).collect();
-        let even = if self.is_round { self.disc_variations(&arguments) } else { self.even_variations(&arguments) };
+        let even = self.even_variations(&arguments);
         let is_even = self.skew.is_empty() && self.corners[0] == self.corners[1];
         let odd = if is_even { vec![[0.0; 2]; even.len()] } else { self.sines(&arguments) };
         let of = |(even, [odd, variation]): (f64, [f64; 2])| Transform {
@@ -118,12 +123,16 @@ impl Strip {
 
     /// p̂ − P of the even part at some λa: O(λ²).
     fn even_variations(&self, arguments: &[f64]) -> Vec<f64> {
-        let resultant = self.long_waves();
-        let each = |minus_one: fn(f64) -> f64| arguments.iter().map(|z| resultant * minus_one(*z)).collect();
+        let of_power = |power: i32| {
+            let order = power + 1 + i32::from(self.is_round);
+            arguments.iter().map(|z| self.long_waves() * bessel::of_order_minus_one(order, *z)).collect()
+        };
         match self.form {
-            Form::Line => each(|_| 0.0),
-            Form::Uniform => each(bessel::sinc_minus_one),
-            Form::Parabolic => each(bessel::spherical_jinc_minus_one),
+            Form::Line => vec![0.0; arguments.len()],
+            // like (1 − s²)^(n/2)
+            Form::Uniform => of_power(0),
+            Form::Parabolic => of_power(2),
+            Form::Series if self.is_round => self.disc_series(arguments),
             Form::Series => {
                 let (orders, bessel) = table(arguments, 2 * self.coefficients.len() + 1, self.tip != 0.0);
                 let of = |(i, z): (usize, &f64)| {

@@ -74,9 +74,9 @@ const FIRST: f64 = 0.25;
 const FAR: f64 = 1e4;
 /// Largest product of a wavenumber and a half-length: a pressure is left out beyond it, which the error estimate takes account of. Twice
 /// as large, stresses next to a contact 1e4 times longer than a layer take twice as long.
-const MOST: f64 = 2e5;
+pub(super) const MOST: f64 = 2e5;
 /// Wavenumbers that a pressure takes per unit of that product.
-const PER_PHASE: f64 = 2.0;
+pub(super) const PER_PHASE: f64 = 2.0;
 /// The first panel is no shorter than this part of the whole axis: some hundred panels grow from there, and the integral
 /// over less than that is below rounding.
 const LEAST: f64 = 1e-40;
@@ -85,15 +85,6 @@ const LEAST: f64 = 1e-40;
 /// more powers of λ are still of the degree that [`STRETCHED`] points integrate exactly.
 const STRETCH: i32 = 20;
 const STRETCHED: usize = 32;
-
-/// The behaviour of fields at λ = 0.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct LongWaves {
-    /// A wavenumber below which they are smooth, besides a power of λ; infinite if there is none.
-    pub(super) first: f64,
-    /// Whether there may be such a power.
-    pub(super) power: bool,
-}
 
 /// A panel of the wavenumber axis.
 pub(super) struct WavePanel {
@@ -224,10 +215,15 @@ pub(super) struct CutOff {
 
 /// Panels from 0 to the largest cut-off of all pressures. Their width grows as far as the oscillation of cos λx and of the transforms of
 /// pressures below their cut-off allows, and where λx is large the oscillation of the transforms alone; `None` if there would be too many.
+/// Below the wavenumber `first` fields are smooth but for a power of λ, if there is one.
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
-pub(super) fn panels(cut_offs: &[CutOff], origin: LongWaves, precision: &Precision) -> Option<Vec<WavePanel>> {
+pub(super) fn panels(
+    cut_offs: &[CutOff],
+    (first, has_power): (f64, bool),
+    precision: &Precision,
+) -> Option<Vec<WavePanel>> {
     let product = |cut: &CutOff| cut.end * cut.own;
     if cut_offs.iter().any(|cut| cut.end.is_infinite() || product(cut).is_nan() || product(cut) > 2.0 * MOST) {
         return None;
@@ -236,7 +232,7 @@ pub(super) fn panels(cut_offs: &[CutOff], origin: LongWaves, precision: &Precisi
     let largest = |lo: f64, of: fn(&CutOff) -> f64| {
         cut_offs.iter().filter(|cut| cut.end > lo).fold(0.0, |largest: f64, cut| largest.max(of(cut)))
     };
-    let shortest = origin.first.min(FIRST / largest(0.0, |cut| cut.extent)).max(LEAST * end);
+    let shortest = first.min(FIRST / largest(0.0, |cut| cut.extent)).max(LEAST * end);
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
         let [extent, own] = [largest(lo, |cut| cut.extent), largest(lo, |cut| cut.own)];
@@ -245,7 +241,7 @@ pub(super) fn panels(cut_offs: &[CutOff], origin: LongWaves, precision: &Precisi
         let allowed = if far { alone } else { whole };
         let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(allowed) };
         let width = width.min(end - lo);
-        let power = origin.power && lo == 0.0;
+        let power = has_power && lo == 0.0;
         let points = if power {
             STRETCHED
         } else if width * extent <= SHORT_PHASE {
@@ -259,11 +255,6 @@ pub(super) fn panels(cut_offs: &[CutOff], origin: LongWaves, precision: &Precisi
     Some(panels)
 }
 
-/// The largest wavenumber at which a pressure of this half-length is summed, with so many layers.
-pub(super) fn most(half_length: f64, precision: &Precision, layers: usize) -> f64 {
-    MOST.min(precision.evaluations / (PER_PHASE * layers as f64)) / half_length
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -271,7 +262,7 @@ mod tests {
     #[test]
     fn panels_integrate_waves_of_any_length_exactly() {
         let cut = CutOff { end: 40.0, extent: 1e9, own: 1.0 };
-        let all = panels(&[cut], LongWaves { first: 0.3, power: false }, &FULL).unwrap();
+        let all = panels(&[cut], (0.3, false), &FULL).unwrap();
         // ∫ e^(−λ) e^(iλx) dλ = 1/(1 − ix), and what was left out
         for x in [0.0, 0.3, 20.0, 3e3, 1e5, 1e7, 1e9] {
             let mut sum = Complex64::ZERO;

@@ -1,8 +1,9 @@
 //! A panel of the wavenumber axis, on which all kernels are polynomials to rounding.
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
 use crate::numeric::vector::vectorised;
-use crate::numeric::{chebyshev, quadrature};
+use crate::numeric::{chebyshev, dot, quadrature};
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
@@ -120,15 +121,6 @@ fn resolved(
     })
 }
 
-/// The weights of the values at the Gauss points in the interpolated value at x, −1 ≤ x ≤ 1.
-fn interpolation(x: f64) -> [f64; POINTS] {
-    static WEIGHTS: LazyLock<Vec<f64>> =
-        LazyLock::new(|| chebyshev::barycentric_weights(&quadrature::rule(POINTS).nodes));
-    let mut row = [0.0; POINTS];
-    chebyshev::interpolation_row(&quadrature::rule(POINTS).nodes, &WEIGHTS, x, &mut row);
-    row
-}
-
 impl Panel {
     fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], stats: &mut Stats) -> Result<Self, Unresolved> {
         let contacts = chains.contacts();
@@ -159,12 +151,12 @@ impl Panel {
         /// Weights that interpolate from the Gauss points of a half to those points of the whole that lie in it.
         static HALVES: LazyLock<Vec<[f64; POINTS]>> = LazyLock::new(|| {
             let nodes = quadrature::rule(POINTS).nodes.iter();
-            nodes.map(|x| interpolation(2.0 * x - x.signum())).collect()
+            nodes.map(|x| chebyshev::panel_row(2.0 * x - x.signum())).collect()
         });
         let both = |c: usize| {
             std::array::from_fn(|k| {
                 let half = if 2 * k < POINTS { self } else { next };
-                HALVES[k].iter().zip(&half.values[c]).map(|(part, value)| part * value).sum()
+                dot(&HALVES[k], &half.values[c])
             })
         };
         let bent: Vec<bool> = self.bent.iter().zip(&next.bent).map(|(one, other)| *one || *other).collect();
@@ -223,40 +215,33 @@ impl Panel {
 
     /// A part of the panel, with the same polynomials.
     pub(super) fn part(&self, from: f64, to: f64) -> Self {
-        let rows: Vec<[f64; POINTS]> = quadrature::rule(POINTS).on(from, to).map(|(zeta, _)| self.row(zeta)).collect();
-        let at = |values: &[f64; POINTS], k: usize| rows[k].iter().zip(values).map(|(row, value)| row * value).sum();
-        let values = self.values.iter().map(|values| std::array::from_fn(|k| at(values, k))).collect();
+        let nodes = quadrature::rule(POINTS).on(from, to);
+        let rows: Vec<[f64; POINTS]> = nodes.map(|(zeta, _)| chebyshev::panel_row(self.place(zeta))).collect();
+        let values = self.values.iter().map(|values| std::array::from_fn(|k| dot(&rows[k], values))).collect();
         Self { from, to, values, ..self.clone() }
     }
 
-    /// The weights of the values at the Gauss points in the interpolated value at one wavenumber.
-    fn row(&self, zeta: f64) -> [f64; POINTS] {
-        interpolation((zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from)))
+    /// Where a wavenumber is on the panel, from −1 to 1.
+    fn place(&self, zeta: f64) -> f64 {
+        (zeta - 0.5 * (self.from + self.to)) / (0.5 * (self.to - self.from))
     }
 
     /// The components at one wavenumber.
     pub(super) fn at(&self, zeta: f64) -> At<'_> {
-        At { panel: self, zeta, row: self.row(zeta) }
+        At { panel: self, zeta, row: chebyshev::panel_row(self.place(zeta)) }
     }
 
     /// Equal-pressure responses, couplings and the sum of the former at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
     /// the panel or a part of it, to be written over others.
     pub(crate) fn values(&self, zeta: &[f64], [from, to]: [f64; 2], all: &mut Values) {
-        let count = zeta.len();
-        let mut columns = Vec::new();
-        let columns: &[f64] = if from == self.from && to == self.to {
-            chebyshev::panel_matrix(count)
+        let (n, count) = (self.contacts, zeta.len());
+        let columns = if from == self.from && to == self.to {
+            Cow::Borrowed(chebyshev::panel_matrix(count))
         } else {
-            columns.resize(count * POINTS, 0.0);
-            for (k, zeta) in zeta.iter().enumerate() {
-                self.row(*zeta).iter().enumerate().for_each(|(j, value)| columns[j * count + k] = *value);
-            }
-            &columns
+            let places: Vec<f64> = zeta.iter().map(|zeta| self.place(*zeta)).collect();
+            Cow::Owned(chebyshev::panel_columns(&places))
         };
-        let n = self.contacts;
-        (all.count, all.contacts) = (count, n);
-        all.values.clear();
-        all.values.resize(count * 2 * n, 0.0);
+        all.clear(n, count);
         for (component, values) in (n..3 * n).zip(all.values.chunks_exact_mut(count)) {
             if (2 * n..3 * n - 1).contains(&component) && !self.coupled[component - 2 * n] {
                 continue;
@@ -335,8 +320,7 @@ pub(super) struct At<'a> {
 
 impl At<'_> {
     fn component(&self, component: usize) -> f64 {
-        let value: f64 = self.row.iter().zip(&self.panel.values[component]).map(|(r, v)| r * v).sum();
-        value / power(self.zeta, powers(self.panel.contacts, component))
+        dot(&self.row, &self.panel.values[component]) / power(self.zeta, powers(self.panel.contacts, component))
     }
 
     /// The equal-pressure response of contact `i`.

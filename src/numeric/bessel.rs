@@ -86,9 +86,28 @@ pub fn scaled_orders(orders: usize, wanted: Wanted, arguments: &[f64], factor: f
     assert!(arguments.len() <= stride && (columns - 1) * stride + arguments.len() <= out.len(), "the table fits");
     vectorised(
         #[inline(always)]
-        || match wanted.kind {
-            Kind::Integer => fill::<false>(orders, wanted, arguments, factor, stride, out),
-            Kind::Spherical => fill::<true>(orders, wanted, arguments, factor, stride, out),
+        || {
+            let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
+            let mut rows: Vec<Lanes> = Vec::new();
+            for block in (0..arguments.len()).step_by(LANES) {
+                // the last block is a whole one as well, if there are as many arguments
+                let first = block.min(arguments.len().saturating_sub(LANES));
+                let block = &arguments[first..arguments.len().min(first + LANES)];
+                let mut z = [0.0; LANES];
+                z[..block.len()].copy_from_slice(block);
+                let mut window = Window { first, width: block.len(), stride, wanted, out };
+                let far = z.map(|z| z >= upward_from);
+                let count = far.iter().filter(|far| **far).count();
+                if count < block.len() {
+                    let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
+                    let scale = downward(wanted.kind, orders, &near, &mut rows).map(|scale| factor * scale);
+                    window.store(&rows[..orders], &scale, far.map(|far| !far));
+                }
+                if count > 0 {
+                    upward(wanted.kind, orders, &z, &mut rows);
+                    window.store(&rows[..orders], &[factor; LANES], far);
+                }
+            }
         },
     );
 }
@@ -127,39 +146,6 @@ impl Wanted {
     }
 }
 
-/// Of J_n, or of spherical functions j_n.
-#[inline(always)]
-fn fill<const SPHERICAL: bool>(
-    orders: usize,
-    wanted: Wanted,
-    arguments: &[f64],
-    factor: f64,
-    stride: usize,
-    out: &mut [f64],
-) {
-    let upward_from = ASYMPTOTIC_FROM.max(orders as f64);
-    let mut rows: Vec<Lanes> = Vec::new();
-    for block in (0..arguments.len()).step_by(LANES) {
-        // the last block is a whole one as well, if there are as many arguments
-        let first = block.min(arguments.len().saturating_sub(LANES));
-        let block = &arguments[first..arguments.len().min(first + LANES)];
-        let mut z = [0.0; LANES];
-        z[..block.len()].copy_from_slice(block);
-        let mut window = Window { first, width: block.len(), stride, wanted, out };
-        let far = z.map(|z| z >= upward_from);
-        let count = far.iter().filter(|far| **far).count();
-        if count < block.len() {
-            let near = std::array::from_fn(|lane| if far[lane] { 0.0 } else { z[lane] });
-            let scale = downward::<SPHERICAL>(orders, &near, &mut rows).map(|scale| factor * scale);
-            window.store(&rows[..orders], &scale, far.map(|far| !far));
-        }
-        if count > 0 {
-            upward::<SPHERICAL>(orders, &z, &mut rows);
-            window.store(&rows[..orders], &[factor; LANES], far);
-        }
-    }
-}
-
 /// The part of a table that belongs to one block of arguments.
 struct Window<'a> {
     first: usize,
@@ -192,7 +178,7 @@ impl Window<'_> {
 
 /// Miller's recurrence: fills `rows[n]` (n = 0..orders at least) up to a factor per lane, and returns that factor.
 #[inline(always)]
-fn downward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
+fn downward(kind: Kind, orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) -> Lanes {
     let starts = start_orders(z, orders);
     let two_over_z = z.map(|z| if z < TINY { 0.0 } else { 2.0 / z });
     let highest = starts.iter().copied().max().unwrap_or(0);
@@ -201,7 +187,6 @@ fn downward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lane
     }
     rows[orders.min(highest + 1)..orders].fill([0.0; LANES]);
 
-    let shift = if SPHERICAL { Kind::Spherical } else { Kind::Integer }.shift();
     let (mut above, mut here, mut sum) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut n = highest;
     loop {
@@ -214,14 +199,14 @@ fn downward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lane
                 next = next.max(starts[lane]);
             }
         }
-        (above, here, sum) = descend(&mut rows[next + 1..=n], n, shift, &two_over_z, (above, here, sum));
+        (above, here, sum) = descend(&mut rows[next + 1..=n], n, kind.shift(), &two_over_z, (above, here, sum));
         if n == 0 {
             break;
         }
         n = next;
     }
     rows[0] = here;
-    if SPHERICAL {
+    if kind == Kind::Spherical {
         return spherical::factors(z, &here, &above);
     }
     std::array::from_fn(|lane| 1.0 / (2.0 * sum[lane] + here[lane]))
@@ -270,13 +255,13 @@ fn descend(
 
 /// Forward recurrence from Hankel's expansion or, of spherical functions, from closed forms: fills `rows[n]`, n = 0..orders.
 #[inline(always)]
-fn upward<const SPHERICAL: bool>(orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
+fn upward(kind: Kind, orders: usize, z: &Lanes, rows: &mut Vec<Lanes>) {
     if rows.len() < orders {
         rows.resize(orders, [0.0; LANES]);
     }
     let z = z.map(|z| z.max(ASYMPTOTIC_FROM));
-    let ([mut below, mut here, ..], mut order) =
-        if SPHERICAL { (spherical::starts(&z), 1.5) } else { (start_upward(&z), 1.0) };
+    let [mut below, mut here, ..] = starts(kind, &z);
+    let mut order = 1.0 + kind.shift();
     let two_over_z = z.map(|z| 2.0 / z);
     for row in &mut rows[..orders] {
         *row = below;
@@ -308,9 +293,12 @@ const Q0: [f64; TERMS] = hankel_coefficients(0.0, true);
 const P1: [f64; TERMS] = hankel_coefficients(1.0, false);
 const Q1: [f64; TERMS] = hankel_coefficients(1.0, true);
 
-/// J0, J1, Y0 and Y1 at real arguments of at least `ASYMPTOTIC_FROM`.
+/// J0, J1, Y0 and Y1, or their spherical twins, at real arguments of at least `ASYMPTOTIC_FROM`.
 #[inline(always)]
-fn start_upward(z: &Lanes) -> [Lanes; 4] {
+fn starts(kind: Kind, z: &Lanes) -> [Lanes; 4] {
+    if kind == Kind::Spherical {
+        return spherical::starts(z);
+    }
     let (sin, cos) = sin_cos(z);
     let mut starts = [[0.0; LANES]; 4];
     for lane in 0..LANES {
@@ -350,10 +338,7 @@ pub fn jy_table(kind: Kind, orders: usize, arguments: &[f64], j: &mut [f64], y: 
             for (block, some) in arguments.chunks(LANES).enumerate() {
                 let mut z = [ASYMPTOTIC_FROM; LANES];
                 z[..some.len()].copy_from_slice(some);
-                let [j0, j1, y0, y1] = match kind {
-                    Kind::Integer => start_upward(&z),
-                    Kind::Spherical => spherical::starts(&z),
-                };
+                let [j0, j1, y0, y1] = starts(kind, &z);
                 for (table, starts) in [(&mut *j, [j0, j1]), (&mut *y, [y0, y1])] {
                     for (column, start) in table.chunks_exact_mut(length).zip(starts) {
                         column[block * LANES..][..some.len()].copy_from_slice(&start[..some.len()]);

@@ -50,22 +50,28 @@ pub fn interpolation_row(nodes: &[f64], weights: &[f64], x: f64, row: &mut [f64]
     row.iter_mut().for_each(|r| *r /= sum);
 }
 
-/// Interpolation from the nodes of `rule(PANEL)` to the nodes of `rule(n)`: `matrix[j * n + i]` is what the value at panel
-/// node `j` contributes at node `i`.
+/// What the values at the nodes of `rule(PANEL)` contribute to the value at x, −1 ≤ x ≤ 1, of the polynomial through them.
+pub fn panel_row(x: f64) -> [f64; PANEL] {
+    static WEIGHTS: LazyLock<Vec<f64>> = LazyLock::new(|| barycentric_weights(&rule(PANEL).nodes));
+    let mut row = [0.0; PANEL];
+    interpolation_row(&rule(PANEL).nodes, &WEIGHTS, x, &mut row);
+    row
+}
+
+/// Interpolation from the nodes of `rule(PANEL)` to some places: `matrix[j * places.len() + i]` is what the value at panel node `j` contributes
+/// at place `i`.
+pub fn panel_columns(places: &[f64]) -> Vec<f64> {
+    let mut columns = vec![0.0; PANEL * places.len()];
+    for (i, x) in places.iter().enumerate() {
+        panel_row(*x).into_iter().enumerate().for_each(|(j, value)| columns[j * places.len() + i] = value);
+    }
+    columns
+}
+
+/// The same to the nodes of `rule(n)`.
 pub fn panel_matrix(n: usize) -> &'static [f64] {
     static MATRICES: [OnceLock<Vec<f64>>; SIZES.len()] = [const { OnceLock::new() }; SIZES.len()];
-    MATRICES[quadrature::position(n)].get_or_init(|| {
-        let from = &rule(PANEL).nodes;
-        let weights = barycentric_weights(from);
-        let to = &rule(n).nodes;
-        let mut matrix = vec![0.0; to.len() * PANEL];
-        let mut row = [0.0; PANEL];
-        for (i, &x) in to.iter().enumerate() {
-            interpolation_row(from, &weights, x, &mut row);
-            row.iter().enumerate().for_each(|(j, value)| matrix[j * to.len() + i] = *value);
-        }
-        matrix
-    })
+    MATRICES[quadrature::position(n)].get_or_init(|| panel_columns(&rule(n).nodes))
 }
 
 /// How well a panel resolves a function: the last Legendre coefficients relative to the largest one, from the values at

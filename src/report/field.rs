@@ -11,9 +11,9 @@ use super::csv::{LAYER, write_columns};
 use super::digits::Digits;
 use super::ruled::ruled;
 use super::sweep::owner;
-use crate::field::{FaceSide, FieldPoint, FieldQuantity};
+use crate::field::{FaceProfile, FieldPoint, FieldQuantity};
 use crate::geometry::Geometry;
-use crate::profile::{ContactProfile, FaceProfile, FaceProfiles};
+use crate::profile::{ContactProfile, FaceProfiles};
 use crate::scene::{Dimension, Units};
 
 /// The stresses and displacements at points, by the names that they have in this geometry, after the places; stable, more may be added. What
@@ -120,10 +120,6 @@ pub fn profile_columns(profile: &FaceProfiles) -> Vec<(String, Vec<f64>)> {
         columns.extend(gap.clone().map(|gap| (format!("{owner}_gap"), gap)));
     }
     for FaceProfile { layer, side, points } in &profile.faces {
-        let side = match side {
-            FaceSide::Top => "top",
-            FaceSide::Bottom => "bottom",
-        };
         let mut add = |what: &str, of: &dyn Fn(&FieldPoint) -> f64| {
             columns.push((format!("layer_{layer}_{side}_{what}"), points.iter().map(of).collect()));
         };

@@ -77,8 +77,9 @@ impl Contact {
     pub fn peak(&self) -> Peak {
         // of what is even the right half is looked at
         let first = self.about.unwrap_or(f64::NEG_INFINITY);
-        let infinite = self.strips.iter().filter_map(|strip| Some(strip.at + strip.singular()?));
-        if let Some(x) = infinite.filter(|x| *x >= first).reduce(f64::min) {
+        // a tip comes before corners, and a right corner before a left one
+        let infinite = self.strips.iter().filter_map(|strip| strip.singular_points().last());
+        if let Some(x) = infinite.map(|(x, _)| x).filter(|x| *x >= first).reduce(f64::min) {
             // a corner is where the contact ends, but for rounding
             let mut ends = self.intervals.iter().flat_map(|interval| [interval.left, interval.right]);
             let x = ends.find(|end| (end - x).abs() <= 4.0 * f64::EPSILON * self.reach()).unwrap_or(x);

@@ -187,15 +187,13 @@ impl Strip {
         Self { at: 2.0 * about - self.at, skew, corners: [right, left], tip_at: -self.tip_at, ..self.clone() }
     }
 
-    /// Where the pressure is infinite, from the middle of the strip.
-    pub(super) fn singular(&self) -> Option<f64> {
-        match self.form {
-            Form::Line => Some(0.0),
-            _ if self.tip != 0.0 => Some(self.tip_place() - self.at),
-            _ if self.corners[1] != 0.0 => Some(self.extent),
-            _ if self.corners[0] != 0.0 => Some(-self.extent),
-            _ => None,
-        }
+    /// The places at which the pressure is infinite, under a line load, at the corners of a flat punch and under a sharp tip, and whether the
+    /// displacement of the face is so, too.
+    pub(crate) fn singular_points(&self) -> impl Iterator<Item = (f64, bool)> {
+        let line = (self.form == Form::Line).then_some((self.at, true));
+        let corners = self.ends().into_iter().zip(self.corners).filter(|(_, corner)| *corner != 0.0);
+        let tip = (self.tip != 0.0).then(|| self.tip_place());
+        line.into_iter().chain(corners.map(|(end, _)| end).chain(tip).map(|place| (place, false)))
     }
 }
 

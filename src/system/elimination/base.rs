@@ -1,7 +1,7 @@
 //! The chain of a base: layers joined to a foundation.
 use std::sync::Arc;
 
-use nalgebra::{Matrix2, Matrix2x4, Matrix4, Matrix4x2};
+use nalgebra::{Matrix2, Matrix2x4, Matrix4x2};
 use recede_layers::{Body, FaceStates, Layer, Support, Wave, solve_equilibrated};
 
 use super::cut_off::cut_off;
@@ -78,10 +78,7 @@ impl BaseChain {
         let bodies = Bodies::new(&self.layers, &self.repeats, 0..cut_off, wave);
         bodies.count(stats);
         for body in bodies.iter(wave).rev() {
-            let FaceStates::Finite { top, bottom, .. } = body.states else { return None };
-            let across = self.across(body.layers.end, wave);
-            let (amplitudes, _) = under_unit_stresses(&below, across, &top, &bottom)?;
-            below = with_unit_stress(&(displacement(&top) * amplitudes));
+            (below, ..) = self.with_layer(&below, body.layers.end, &body.states, wave)?;
         }
         let stress: Matrix2<f64> = below.fixed_rows::<2>(2).into_owned();
         let shares = solve_equilibrated(stress, uniform())?;
@@ -106,9 +103,31 @@ impl BaseChain {
         }
     }
 
-    /// The rows below this number of layers, for the states above and below; `None` if these are the same.
-    pub(super) fn across(&self, layers: usize, wave: &Wave) -> Option<[Matrix4<f64>; 2]> {
-        self.junctions.get(layers.checked_sub(1)?)?.at(wave, InterfaceSide::Above)
+    /// The bodies below an interface with a layer on top, which has these states at its faces and is the last one of so many. Also the amplitudes of
+    /// the layer, and the stresses on its bottom face, under unit stresses S and T on its top face.
+    pub(super) fn with_layer(
+        &self,
+        below: &Below,
+        layers: usize,
+        states: &FaceStates,
+        wave: &Wave,
+    ) -> Option<(Below, Matrix4x2<f64>, Matrix2<f64>)> {
+        let FaceStates::Finite { top, bottom, .. } = states else { return None };
+        let junction = self.junctions.get(layers - 1);
+        let (condition, shares) = match junction.and_then(|junction| junction.at(wave, InterfaceSide::Above)) {
+            None => (reciprocal(below), None),
+            Some([above, rows]) => {
+                let [left, solved] = eliminate_two(rows * below, above)?;
+                (left, Some(solved))
+            }
+        };
+        let amplitudes: Matrix4x2<f64> = solve_equilibrated(
+            stacked(&(condition * bottom), &stress(top)),
+            Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
+        )?;
+        // where states differ on both sides, the shares of the states below
+        let at_bottom = shares.map_or_else(|| stress(bottom) * amplitudes, |shares| shares * bottom * amplitudes);
+        Some((with_unit_stress(&(displacement(top) * amplitudes)), amplitudes, at_bottom))
     }
 
     /// The layers of finite thickness, top down.
@@ -125,30 +144,8 @@ impl BaseChain {
     }
 }
 
-/// The amplitudes of a layer with these states at its faces under unit stresses S and T on its top face, and the shares of the states in
-/// [`Below`]; `across` are the rows below the layer, `None` if states are the same on both sides, and then there are no shares.
-pub(super) fn under_unit_stresses(
-    below: &Below,
-    across: Option<[Matrix4<f64>; 2]>,
-    top: &Matrix4<f64>,
-    bottom: &Matrix4<f64>,
-) -> Option<(Matrix4x2<f64>, Option<Matrix2<f64>>)> {
-    let (condition, shares) = match across {
-        None => (reciprocal(below), None),
-        Some([above, rows]) => {
-            let [left, solved] = eliminate_two(rows * below, above)?;
-            (left, Some(solved))
-        }
-    };
-    let amplitudes: Matrix4x2<f64> = solve_equilibrated(
-        stacked(&(condition * bottom), &stress(top)),
-        Matrix4x2::from_fn(|i, j| if i == j + 2 { 1.0 } else { 0.0 }),
-    )?;
-    Some((amplitudes, shares.map(|shares| shares * bottom * amplitudes)))
-}
-
 /// The states for S = 1 and for T = 1, from the displacements under them.
-pub(super) fn with_unit_stress(flexibility: &Matrix2<f64>) -> Matrix4x2<f64> {
+fn with_unit_stress(flexibility: &Matrix2<f64>) -> Matrix4x2<f64> {
     let mut states = Matrix4x2::zeros();
     states.fixed_rows_mut::<2>(0).copy_from(flexibility);
     states.fixed_rows_mut::<2>(2).fill_with_identity();

@@ -4,7 +4,7 @@ use std::ops::Range;
 use nalgebra::{Matrix2, Vector2, Vector3, Vector4};
 use recede_layers::{FaceStates, InnerStates, LayerStates, State, Wave, solve_equilibrated};
 
-use super::base::{BaseChain, under_unit_stresses, with_unit_stress};
+use super::base::BaseChain;
 use super::cut_off::cut_off;
 use super::free::{FreeChain, faces};
 use super::half::{PutBack, displacement, stacked, stress, uniform};
@@ -122,10 +122,8 @@ impl BaseChain {
         let mut eliminated = Vec::with_capacity(cut_off);
         for i in (0..cut_off).rev() {
             let states = self.layers[i].states(wave, &depths[i]);
-            let FaceStates::Finite { top, bottom, .. } = &states.faces else { return None };
-            let (amplitudes, shares) = under_unit_stresses(&below, self.across(i + 1, wave), top, bottom)?;
-            below = with_unit_stress(&(displacement(top) * amplitudes));
-            let at_bottom = shares.unwrap_or(stress(bottom) * amplitudes);
+            let (with_layer, amplitudes, at_bottom) = self.with_layer(&below, i + 1, &states.faces, wave)?;
+            below = with_layer;
             eliminated.push((states.inside, amplitudes, at_bottom));
         }
         let mut at_top = uniform() * load;

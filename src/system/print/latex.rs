@@ -1,6 +1,4 @@
 //! The block matrix in LaTeX: an array, or a list of equations where an array would be too wide.
-use std::fmt::Write;
-
 use super::text::{MAX_COLUMNS, stiffness};
 use crate::system::{Block, BlockSystem, Face, Row};
 
@@ -17,51 +15,39 @@ impl BlockSystem {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn to_latex(&self) -> String {
-        let mut out = String::new();
-        for column in self.columns() {
-            let amplitudes = column.amplitudes();
-            let (kind, number) = (column.body().notation().kind, column.number());
-            let (first, last) = (amplitudes.start(), amplitudes.end());
-            line(&mut out, format_args!("% c_{number} = (C_{first}, ..., C_{last}): {kind}"));
-        }
-        if self.columns().len() > MAX_COLUMNS {
-            self.equations(&mut out);
-        } else {
-            self.array(&mut out);
-        }
-        out
+        let columns = self.columns().iter().map(|column| {
+            let (kind, number, amplitudes) = (column.body().notation().kind, column.number(), column.amplitudes());
+            format!("% c_{number} = (C_{}, ..., C_{}): {kind}", amplitudes.start(), amplitudes.end())
+        });
+        let matrix = if self.columns().len() > MAX_COLUMNS { self.equations() } else { self.array() };
+        columns.chain(matrix).map(|line| line + "\n").collect()
     }
 
-    fn array(&self, out: &mut String) {
+    fn array(&self) -> Vec<String> {
         let columns = self.columns();
-        line(out, r"\[");
-        line(out, format_args!(r"\begin{{array}}{{l|{}|l}}", "c".repeat(columns.len())));
         let header: Vec<String> =
             columns.iter().map(|column| format!(r"\mathbf{{c}}_{{{}}}", column.number())).collect();
-        line(out, format_args!(r"  & {} & \\ \hline", header.join(" & ")));
+        let begin = format!(r"\begin{{array}}{{l|{}|l}}", "c".repeat(columns.len()));
+        let mut lines = vec![r"\[".to_owned(), begin, format!(r"  & {} & \\ \hline", header.join(" & "))];
         for row in self.rows() {
             let entry = |column| row.blocks.iter().filter(move |block| block.column == column).map(signed).collect();
             let entries: Vec<String> = (0..columns.len()).map(entry).collect();
-            line(out, format_args!(r"  {} & {} & {} \\", row.latex_name(), entries.join(" & "), row.latex_right()));
+            lines.push(format!(r"  {} & {} & {} \\", row.latex_name(), entries.join(" & "), row.latex_right()));
         }
-        line(out, r"\end{array}");
-        line(out, r"\]");
+        lines.extend([r"\end{array}", r"\]"].map(str::to_owned));
+        lines
     }
 
-    fn equations(&self, out: &mut String) {
-        line(out, r"\begin{align*}");
+    fn equations(&self) -> Vec<String> {
+        let mut lines = vec![r"\begin{align*}".to_owned()];
         for row in self.rows() {
             let blocks = row.blocks.iter().map(|block| format!(r"{}\,\mathbf{{c}}_{{{}}}", signed(block), block.layer));
             let blocks: String = blocks.collect();
-            line(out, format_args!(r"  & {}: && {blocks} {} \\", row.latex_name(), row.latex_right()));
+            lines.push(format!(r"  & {}: && {blocks} {} \\", row.latex_name(), row.latex_right()));
         }
-        line(out, r"\end{align*}");
+        lines.push(r"\end{align*}".to_owned());
+        lines
     }
-}
-
-fn line(out: &mut String, text: impl std::fmt::Display) {
-    // writing to a string does not fail
-    let _ = writeln!(out, "{text}");
 }
 
 fn signed(block: &Block) -> String {
