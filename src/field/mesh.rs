@@ -41,12 +41,12 @@ impl LayerPiece {
         self.ends.iter().zip(place).all(|([from, to], at)| *from <= at && at <= *to)
     }
 
-    /// Whether stresses on all sides of a place are known: it is not on an edge beyond which they are as smooth as here.
-    pub(super) fn has_inside(&self, place: Pair<f64>) -> bool {
+    /// Whether stresses on both sides of a place are known, along x and in depth: it is not on an edge beyond which they are as smooth as here.
+    pub(super) fn has_inside(&self, place: Pair<f64>) -> Pair<bool> {
         let goes_on = |axis: usize, side: usize| {
             place[axis] == self.ends[axis][side] && self.ends[axis][side] != self.smooth[axis][side]
         };
-        (0..2).all(|axis| !goes_on(axis, 0) && !goes_on(axis, 1))
+        [0, 1].map(|axis| !goes_on(axis, 0) && !goes_on(axis, 1))
     }
 
     /// The piece whose points are no farther from a place than this.

@@ -13,7 +13,7 @@ use super::{Field, ROUNDING};
 
 /// The size of a smaller piece, in parts of the last one.
 const SMALLER: f64 = 0.25;
-/// The size of the next piece, in parts of the last one, where the highest place is on its edge.
+/// The size of the next piece along x, or in depth, in parts of the last one, where the highest place is on its edge there.
 const LARGER: f64 = 2.0;
 /// Most smaller pieces one after the other: steps towards a singular point would not end. The first ones, of low accuracy, are for places on
 /// the edge of their piece alone.
@@ -76,7 +76,7 @@ impl Candidate {
         let (piece, seen) = (polynomial.piece, polynomial.highest_point());
         let (expected, _) = polynomial.highest(seen.0);
         let reach = piece.ends.map(|[from, to]| 0.5 * SMALLER * (to - from));
-        let is_inside = piece.has_inside(expected.0);
+        let is_inside = piece.has_inside(expected.0) == [true; 2];
         Self { measure, piece, reach, expected, seen, error, is_inside, is_exact: false, is_found: false }
     }
 
@@ -91,9 +91,11 @@ impl Candidate {
         let seen = polynomial.highest_point();
         let (highest, there) = polynomial.highest(self.expected.0);
         let is_lower = seen.1 < self.seen.1 - self.error;
-        let is_inside = polynomial.piece.has_inside(highest.0);
-        let size = if is_inside || is_lower { SMALLER } else { LARGER };
-        self.reach = self.reach.map(|reach| size * reach);
+        let inside = polynomial.piece.has_inside(highest.0);
+        let is_inside = inside == [true; 2];
+        for (reach, is_inside) in self.reach.iter_mut().zip(inside) {
+            *reach *= if is_inside || is_lower { SMALLER } else { LARGER };
+        }
         if is_lower {
             (self.expected, self.error) = (self.seen, f64::INFINITY);
             return;
