@@ -34,7 +34,7 @@
 //!
 //! # The way through
 //!
-//! | step | what it is |
+//! | step | meaning |
 //! |---|---|
 //! | [`Scene`] | a text in RON: punch, force, layers and interfaces from the top down |
 //! | [`Stack`] | its checked structure: free laminates and the base below them |

@@ -103,9 +103,9 @@ fn what_is_not_the_whole_is_refused() {
     let [first, second, third] =
         [1, 2, 3].map(|number| part(&format!("good_{number}.csv"), &format!("{number}/3"), &[]));
     let files = [&first.0, &second.0, &third.0].map(PathBuf::as_path);
-    refused("missing.csv", &[files[0], files[2]], "missing: rows 4 to 6 of 10, between those of");
-    refused("no_first.csv", &[files[1], files[2]], "missing: rows 1 to 3 of 10, before those of");
-    refused("no_last.csv", &files[..2], "missing: rows 7 to 10 of 10, behind those of");
+    refused("missing.csv", &[files[0], files[2]], "missing: rows 4 to 6 of 10, between the rows of");
+    refused("no_first.csv", &[files[1], files[2]], "missing: rows 1 to 3 of 10, before the rows of");
+    refused("no_last.csv", &files[..2], "missing: rows 7 to 10 of 10, behind the rows of");
     refused("double.csv", &[files[0], files[1], files[1], files[2]], "rows 4 to 6 of 10: in");
     let with = |name: &str, text: &str| {
         fs::write(file(name), text).unwrap();

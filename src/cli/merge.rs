@@ -70,7 +70,7 @@ fn rows_of(path: &Path, csv: &SweepCsv) -> Result<Range<usize>, Failure> {
     match begun.wrong {
         Some(1) => Err(Failure::usage(
             format!("{name} does not begin with the names of the columns of this sweep"),
-            "the sweep comes first, then the files of its parts; --vary, --approach and --extremes have to be those of the parts",
+            "the sweep comes first, then the files of its parts; --vary, --approach and --extremes have to be the same as for the parts",
         )),
         _ if begun.is_cut || begun.bytes == 0 => Err(Failure::usage(
             format!("{name}: the last line is cut off"),
@@ -91,7 +91,7 @@ fn row(path: &Path, csv: &SweepCsv, line: &str) -> Result<usize, Failure> {
     let is_fingerprint = found.len() == own.len() && found.bytes().all(|byte| byte.is_ascii_hexdigit());
     if is_fingerprint && found != own {
         return Err(Failure::usage(
-            format!("{name} is of another sweep: its lines end with `{found}`, those of this sweep with `{own}`"),
+            format!("{name} is of another sweep: its lines end with `{found}`, the lines of this sweep with `{own}`"),
             "scene, --vary, --approach, --extremes, --tolerance and the version of recede have to be those with which the parts were computed",
         ));
     }
@@ -121,9 +121,9 @@ fn complete(parts: &[(&Path, Range<usize>)], count: usize) -> Result<(), Failure
                     "name each part once, and parts of one division of the sweep only",
                 ));
             }
-            (Some(before), Some(here)) => format!(", between those of {before} and {here}"),
-            (None, Some(here)) => format!(", before those of {here}"),
-            (Some(before), None) => format!(", behind those of {before}"),
+            (Some(before), Some(here)) => format!(", between the rows of {before} and {here}"),
+            (None, Some(here)) => format!(", before the rows of {here}"),
+            (Some(before), None) => format!(", behind the rows of {before}"),
             (None, None) => String::new(),
         };
         if end < next {

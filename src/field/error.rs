@@ -19,7 +19,7 @@ pub enum FieldError {
     #[error("a place {0:?} from the middle is too far from the contacts for the field to be computed there")]
     TooFar(f64),
     /// The field was requested for the solution of another stack.
-    #[error("the solution is one of another stack than that of the model: its pressures do not belong to these layers")]
+    #[error("the solution is of another stack than the model: its pressures do not belong to these layers")]
     OtherStack,
 }
 

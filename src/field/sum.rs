@@ -29,8 +29,8 @@ struct Active {
     lifts: [f64; 2],
 }
 
-/// A part of the field: what is even about x = 0, or what is odd.
-struct Part {
+/// A channel of the field: what is even about x = 0, or what is odd.
+struct Channel {
     /// For each component the table of [`WavePanel::tables`] and the sign of its wave.
     tables: [(usize, f64); COMPONENTS],
     /// The displacement that does not vanish at x = 0, and is counted from the reference point of its body, with the sign of its wave.
@@ -38,9 +38,9 @@ struct Part {
 }
 
 /// The odd part is the even part a quarter of a wave to the right.
-const PARTS: [Part; 2] = [
-    Part { tables: [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)], counted: (4, 1.0) },
-    Part { tables: [(0, 1.0), (0, 1.0), (1, -1.0), (2, -1.0), (0, 1.0), (1, -1.0)], counted: (3, -1.0) },
+const CHANNELS: [Channel; 2] = [
+    Channel { tables: [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)], counted: (4, 1.0) },
+    Channel { tables: [(0, 1.0), (0, 1.0), (1, -1.0), (2, -1.0), (0, 1.0), (1, -1.0)], counted: (3, -1.0) },
 ];
 
 /// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
@@ -123,7 +123,7 @@ impl Field {
     /// Adds the integrals over the wavenumber of the remainders of the closed forms.
     fn integrate(&self, rows: &Rows, precision: &Precision, values: &mut [Vec<Components>]) -> Result<(), FieldError> {
         let sets = &rows.sets;
-        let parts = if self.is_even { 1 } else { PARTS.len() };
+        let parts = if self.is_even { 1 } else { CHANNELS.len() };
         let farthest = sets.iter().flatten().fold(0.0, |x: f64, y| x.max(y.abs()));
         let (cut_offs, origins, mut active) = self.cut_offs(rows, precision, farthest);
         if active.is_empty() {
@@ -154,7 +154,7 @@ impl Field {
             sum.collect(&active, values);
         }
         for active in &active {
-            for (Part { counted: (component, sign), .. }, lift) in PARTS.iter().zip(active.lifts) {
+            for (Channel { counted: (component, sign), .. }, lift) in CHANNELS.iter().zip(active.lifts) {
                 values[active.index].iter_mut().for_each(|value| value[*component] += sign * lift);
             }
         }
@@ -213,7 +213,7 @@ impl Field {
         (origin, longest): (f64, &mut f64),
         block: &mut [f64],
     ) -> Result<(), FieldError> {
-        let (body, (counted, _)) = (&self.bodies[index], PARTS[part].counted);
+        let (body, (counted, _)) = (&self.bodies[index], CHANNELS[part].counted);
         let (from, n) = (waves.panel.lo, waves.wavenumbers.len());
         // (depth, row or `None` for the reference point), layer by layer
         let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers.len()];
@@ -350,7 +350,7 @@ impl<'a> WaveSums<'a> {
             (false, Geometry::Axisymmetric) => 4,
             (false, _) => 3,
         };
-        for (part, block) in PARTS.iter().zip(blocks) {
+        for (part, block) in CHANNELS.iter().zip(blocks) {
             for (component, (table, sign)) in part.tables.into_iter().enumerate().take(wanted) {
                 let places = MatRef::from_column_major_slice(&tables[table], m, n);
                 let mut coefficients = Vec::with_capacity(n * count);

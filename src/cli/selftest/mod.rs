@@ -59,7 +59,7 @@ pub struct SelftestArguments {
     /// Compare every answer with one at the strictest tolerance
     #[arg(long)]
     verify: bool,
-    /// Write every scene that is not solved, and those of the table of the slowest, into this folder
+    /// Write every scene that is not solved, and the slowest ones, into this folder
     #[arg(long, value_name = "DIR")]
     save: Option<PathBuf>,
     /// Scenes solved at the same time; the number of processors if not given
