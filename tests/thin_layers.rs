@@ -8,7 +8,7 @@
 //!   ══════════════  h → 0, stiff or soft, homogeneous, graded or orthotropic
 //!   ██████████████
 //! ```
-use recede::{Scene, Solution, WarningCode};
+use recede::{Model, Options, Scene, Solution, WarningCode};
 
 const GROUND: &str = "HalfPlane(shear_modulus: 1, poisson: 0.25)";
 
@@ -234,4 +234,29 @@ fn what_is_left_out_is_within_the_estimates_of_random_scenes() {
         near(&loose, &strict, 1e-12, &text);
     }
     assert!(pairs > 3, "{pairs}");
+}
+
+#[test]
+fn a_soft_sheet_on_a_stiff_plate_matters_more_than_it_is_thick() {
+    // a plate that is bent round a punch presses next to the ends of the contact most: there the sheet gives way, over a length that grows like a power of its
+    // thickness less than 1
+    let plate = "Homogeneous(thickness: 1, shear_modulus: 1000, poisson: 0.3), Bonded, HalfPlane(shear_modulus: 1, poisson: 0.3)";
+    let half_length = |sheet: &str| {
+        let stack = format!("{sheet}{plate}");
+        let text = format!("Scene(geometry: PlaneStrain, punch: Parabola(radius: 1000), force: 10, stack: [{stack}])");
+        let scene = Scene::from_ron(&text).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press_with(&scene.top, scene.force, &Options { tolerance: 1e-2 }).unwrap();
+        let contact = &solution.contacts()[0];
+        [contact.half_length().unwrap(), contact.half_length_error().unwrap()]
+    };
+    let sheet = |thickness: f64| {
+        half_length(&format!("Homogeneous(thickness: {thickness:?}, shear_modulus: 0.01, poisson: 0.3), Receding, "))
+    };
+    let all = [half_length(""), sheet(1e-3), sheet(1e-2)];
+    for pair in all.windows(2) {
+        assert!(pair[0][0] + pair[0][1] < pair[1][0] - pair[1][1], "{all:?}");
+    }
+    let [bare, thin, thick] = all.map(|[half_length, _]| half_length);
+    assert!(thin - bare > 0.2 * (thick - bare), "{all:?}");
 }

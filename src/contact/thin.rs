@@ -8,7 +8,7 @@
 //! pressure in a boundary layer at the ends of the contact only, and all else by about the ratio of thickness to
 //! half-length, which first-order perturbation tells: the change of the diagonal of the equations. So the contact is
 //! solved without these waves, and that change is part of the error.
-use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{COARSE, ROUNDING, SAFETY, SLOW, UNKNOWN};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
@@ -19,7 +19,7 @@ use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
 use crate::contact::starts::order::solve_in_order;
 use crate::kernel::{DECAYED, Kernel};
-use crate::numeric;
+use crate::numeric::largest;
 use crate::solution::{Contact, Interface, Warning, WarningCode};
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
@@ -44,7 +44,7 @@ const ROUGH: f64 = 0.02;
 /// Solves without what only layers much thinner than a contact change in the kernels if that makes the smaller error.
 ///
 /// Which layers these are is judged by contacts that were found to a few digits, without the layers that are thin next to contacts that formulas expect: the
-/// latter may be wrong by any factor. All contacts are near these.
+/// latter may be wrong by any factor. All contacts are near these, unless what is thin changes them: from there each step of an end would be as short as a layer is thick.
 pub(super) fn solve(problem: &Problem, refused: &mut Refused) -> Result<Answer, ContactError> {
     let mut half_lengths = formulas::half_lengths(problem);
     let Some(expected) = Thin::new(problem, half_lengths.clone())? else {
@@ -57,7 +57,8 @@ pub(super) fn solve(problem: &Problem, refused: &mut Refused) -> Result<Answer, 
         half_lengths[contact] = found.innermost().right;
     }
     match Thin::new(problem, half_lengths)? {
-        Some(thin) => thin.solve(problem, near, refused),
+        Some(thin) if thin.error <= UNKNOWN => thin.solve(problem, near, refused),
+        Some(_) => solve_in_order(problem, None, refused),
         None => solve_in_order(problem, near, refused),
     }
 }
@@ -70,7 +71,7 @@ fn worst(answer: &Answer) -> f64 {
         let is_known = middle == 0.0 || middle.is_infinite();
         [contact.end_error(), if is_known { 0.0 } else { error / middle }]
     });
-    numeric::largest(errors)
+    largest(errors)
 }
 
 impl<'a> Thin<'a> {
@@ -108,9 +109,9 @@ impl<'a> Thin<'a> {
         // the boundary layer at the ends of a contact is as long as a layer there is thick, up to φ = √(2 h/a) of x = a cos φ: shorter than a wave of the highest modes
         let is_unresolved = (2.0 * self.thinnest).sqrt() * (2 * FINEST) as f64 <= 2.0 * PI;
         if self.error <= problem.tolerance || is_unresolved {
-            return without(refused).or_else(|_| solve_in_order(problem, near, refused));
+            return without(refused).or_else(|_| solve_in_order(problem, None, refused));
         }
-        let whole = solve_in_order(problem, near, refused);
+        let whole = solve_in_order(problem, None, refused);
         if whole.as_ref().is_ok_and(|whole| worst(whole) <= self.error) {
             return whole;
         }
@@ -148,9 +149,16 @@ impl<'a> Thin<'a> {
             return Ok(());
         }
         // a layer gives way to longer waves by the same displacement as to those as short as it is thick
-        let squeezed = self.kernel.compression(upper, formulas::TYPICAL / carried) * carried / a;
+        let [longest, shortest] = [a, carried].map(|length| formulas::TYPICAL / length);
+        let squeezed = self.kernel.compression(upper, shortest) / shortest;
         self.kernel = Cow::Owned(self.kernel.without(upper)?);
-        let error = SAFETY * carried / a + SAFETY * squeezed / self.kernel.compliances(formulas::TYPICAL / a)[upper];
+        // a part of the pressure that is as long as a wave: where bodies are so stiff that it is concentrated at the ends, a short one counts
+        let changed = |zeta: f64| {
+            let squeezed = squeezed * zeta;
+            squeezed / (squeezed + self.kernel.compliances(zeta)[upper].max(0.0)) * longest / zeta
+        };
+        let waves = std::iter::successors(Some(longest), |zeta| Some(2.0 * zeta)).take_while(|zeta| *zeta < shortest);
+        let error = SAFETY * carried / a + SAFETY * largest(waves.map(changed));
         half_lengths.remove(upper + 1);
         self.thinnest = self.thinnest.min(carried / a);
         self.error = self.error.max(error);

@@ -70,6 +70,11 @@ impl Grid {
         self.about.iter().map(|[place, _]| (x - place).abs()).fold(f64::INFINITY, f64::min)
     }
 
+    /// Whether a contact is expected about a place between others.
+    pub(super) fn is_about(&self, [from, to]: [f64; 2]) -> bool {
+        self.about.iter().any(|[place, _]| (from..=to).contains(place))
+    }
+
     pub(super) fn elements(&self) -> usize {
         self.edges.len() - 1
     }

@@ -51,7 +51,7 @@ const LEAST_FORCE: f64 = 1e-8;
 /// Next to a longer interval, a smaller part of it is an artefact of the grid: where bodies graze each other, elements touch in turns, in many
 /// intervals shorter than [`SHORTEST`].
 const LEAST_SHORT: f64 = accuracy::COARSE;
-/// Intervals are next to each other if the gap between them is shorter than this part of its distance from the middle.
+/// Intervals are next to each other, and one far from where contacts are expected, if the gap between them is shorter than this part of its distance from the middle.
 const NEXT: f64 = 0.3;
 
 /// How fine grids become.
@@ -231,12 +231,17 @@ fn dips(touching: &[bool], forces: &[f64], grid: &Grid) -> Vec<usize> {
     dips
 }
 
-/// Intervals of elements that touch; gaps that are short against what lies outside them are rounding.
+/// Intervals of elements that touch; gaps that are short against what lies outside them are rounding, and where bodies graze each other far from where contacts are expected,
+/// one interval begins and ends where these do.
 fn parts(touching: &[bool], grid: &Grid) -> Vec<[f64; 2]> {
     let mut wide: Vec<[f64; 2]> = Vec::new();
     for part in intervals(touching, grid) {
+        let longest_gap = |before: &[f64; 2]| {
+            let is_expected = [*before, part].iter().any(|own| grid.is_about(*own));
+            (if is_expected { SHORTEST } else { NEXT }) * grid.distance(part[0])
+        };
         match wide.last_mut() {
-            Some(before) if part[0] - before[1] < SHORTEST * grid.distance(part[0]) => before[1] = part[1],
+            Some(before) if part[0] - before[1] < longest_gap(before) => before[1] = part[1],
             _ => wide.push(part),
         }
     }
