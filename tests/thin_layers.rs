@@ -238,7 +238,7 @@ fn what_is_left_out_is_within_the_estimates_of_random_scenes() {
 
 #[test]
 fn a_soft_sheet_on_a_stiff_plate_matters_more_than_it_is_thick() {
-    // a plate that is bent round a punch presses next to the ends of the contact most: there the sheet gives way, over a length that grows like a power of its
+    // a plate that follows the shape of a punch presses next to the ends of the contact most: there the sheet gives way, over a length that grows like a power of its
     // thickness less than 1
     let plate = "Homogeneous(thickness: 1, shear_modulus: 1000, poisson: 0.3), Bonded, HalfPlane(shear_modulus: 1, poisson: 0.3)";
     let half_length = |sheet: &str| {

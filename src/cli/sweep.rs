@@ -75,8 +75,7 @@ impl SweepArguments {
         let csv = SweepCsv::new(&sweep);
         let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
-        let all = 0..sweep.len();
-        let wanted = self.part.map_or(all, |part| part.rows(sweep.len()));
+        let wanted = self.part.map_or(0..sweep.len(), |part| part.rows(sweep.len()));
         let (mut file, done) = match &lines {
             Some(path) if self.resume => rows_file::resume(path, &csv, wanted.clone(), |index, line| {
                 if drawn(index) {

@@ -290,7 +290,7 @@ fn number(point: &SweepPoint, column: usize) -> f64 {
     point.numbers.get(column).copied().unwrap_or(f64::NAN)
 }
 
-/// The least step with which so many are at most so few.
+/// The smallest step with which no more than a given number of values are left.
 fn step(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
 }

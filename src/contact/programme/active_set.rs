@@ -1,7 +1,7 @@
 //! The quadratic programme: no tension, no penetration, and one of pressure and gap zero on each element.
 //!
-//! Exchanging all elements at once that violate one or the other ends after a few steps as a rule. Where that goes round
-//! in circles, the last one alone is exchanged until fewer violate them than ever before, so that the programme ends for certain (Júdice and Pires 1994).
+//! Exchanging all elements at once that violate one or the other ends after a few steps as a rule. Where sets of elements
+//! return, the last element alone is exchanged until fewer violate them than ever before, so that the method ends for certain (Júdice and Pires 1994).
 use crate::contact::problem::accuracy::PATIENCE;
 use crate::contact::programme::constraints::Carried;
 use crate::contact::programme::energy::Energy;

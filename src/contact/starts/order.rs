@@ -45,7 +45,7 @@ pub(crate) fn solve_in_order(
 /// The pressures of the fine programme where Newton's method has failed.
 ///
 /// # Errors
-/// The error of Newton's method where the programme has no solution, or a bad one.
+/// The error of Newton's method where the programme has no solution, or one with an error that is too large.
 pub(crate) fn of_low_accuracy(
     problem: &Problem,
     refused: &Refused,
