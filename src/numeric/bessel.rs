@@ -29,12 +29,10 @@ pub use minus_one::{
 use start::start_orders;
 
 use super::trigonometry::sin_cos;
-use super::vector::{LANES, vectorised};
+use super::vector::{LANES, Lanes, vectorised};
 
 /// Arguments from here on may use Hankel's expansion: its smallest term is far below rounding.
 pub const ASYMPTOTIC_FROM: f64 = 25.0;
-
-type Lanes = [f64; LANES];
 
 /// Which functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,6 +2,8 @@
 
 /// Numbers that loops take together: as many doubles as the widest vectors have.
 pub(crate) const LANES: usize = 8;
+/// Numbers that are taken together.
+pub(crate) type Lanes = [f64; LANES];
 
 /// Runs `work`, a closure marked `#[inline(always)]` like all that it calls, with the widest vector instructions there are.
 ///

@@ -15,8 +15,8 @@ use crate::numeric::quadrature::{LARGEST, laguerre_rule, rule};
 use crate::numeric::vector::vectorised;
 use crate::numeric::workspace::Workspace;
 
-/// Nodes whose Bessel functions are made together.
-pub(crate) const TOGETHER: usize = 512;
+/// Nodes whose Bessel functions are made together: no number depends on it, but tables of many more do not stay in the cache of the processor.
+pub(crate) const TOGETHER: usize = 64;
 /// Points on the path into the complex plane.
 const TURNED_POINTS: usize = 32;
 /// No admissible scene was seen to need more wavenumbers, nor more than half as many smooth nodes of tails. Twice as many: scenes whose
@@ -192,6 +192,15 @@ impl Weights {
         let (plain, rows) = (self.plain.len(), self.rows());
         let real = (0..plain).step_by(most).map(move |first| first..plain.min(first + most));
         real.chain((plain < rows).then_some(plain..rows))
+    }
+
+    /// Weights · all rows.
+    pub(crate) fn weighted(&self, rows: &[f64]) -> Vec<f64> {
+        let mut weighted = vec![0.0; self.rows()];
+        for block in self.blocks(self.rows().max(1)) {
+            self.times(block.clone(), &rows[block.clone()], &mut weighted[block]);
+        }
+        weighted
     }
 
     /// Weights · rows of one of the [`Self::blocks`].

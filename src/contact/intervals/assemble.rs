@@ -17,9 +17,8 @@ use crate::contact::problem::Prescribed;
 
 impl Equations<'_> {
     /// All rows: waves block by block of wavenumbers, then half-planes.
-    pub(super) fn system(&self, places: &[Places]) -> Option<System> {
-        let size = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
-        let border = self.border(places);
+    pub(super) fn system(&self) -> Option<System> {
+        let (size, border) = (self.unknown_terms(), self.border());
         let mut system = System {
             a: Mat::zeros(size, size),
             e: Mat::zeros(size, border),
@@ -37,49 +36,55 @@ impl Equations<'_> {
             for (row, rows, sign) in &rows {
                 for (column, columns, other) in &columns {
                     let block = Block { all: &all, first: [*row, *column], factor: factor * sign * other / PI };
-                    self.add(places, &mut system, (rows.clone(), columns.clone()), &block);
+                    self.add(&mut system, (rows.clone(), columns.clone()), &block);
                 }
             }
         }
         for contact in self.problem.unknown() {
-            self.add_in_space(places, &mut system, contact)?;
+            self.add_in_space(&mut system, contact)?;
         }
         let angles = border - self.turning.len();
         for contact in self.problem.unknown() {
             let columns = &self.columns[contact];
-            let first = places[contact].left.1 + places[contact].told.len();
+            let first = self.places[contact].left.1 + self.places[contact].told.len();
             for (place, other) in (first..).zip(&columns.others) {
                 let Some(group) = columns.tells_rotation_of(*other) else { continue };
                 for (angle, sign) in self.angles_of(contact, group) {
                     for row in self.chain(contact) {
-                        let place = places[row].left.1 + place - places[contact].left.1;
+                        let place = self.places[row].left.1 + place - self.places[contact].left.1;
                         system.d[(place, angles + angle)] -= sign * columns.rotation(*other);
                     }
                 }
             }
         }
-        self.add_prescribed(places, &mut system);
+        self.add_prescribed(&mut system);
         Some(system)
     }
 
+    /// How many unknown terms there are.
+    pub(super) fn unknown_terms(&self) -> usize {
+        self.places.last().map_or(0, |last| last.terms.1 + last.terms.0.len())
+    }
+
     /// How many rows there are that are not the ones of unknown terms, and as many unknowns.
-    pub(super) fn border(&self, places: &[Places]) -> usize {
-        places.last().map_or(0, |last| last.left.1 + last.left.0.len()) + usize::from(self.problem.prescribed.is_some())
+    pub(super) fn border(&self) -> usize {
+        self.places.last().map_or(0, |last| last.left.1 + last.left.0.len())
+            + usize::from(self.problem.prescribed.is_some())
     }
 
     /// Adds the row that tells the force of the punch from what is prescribed: the last one.
-    fn add_prescribed(&self, places: &[Places], system: &mut System) {
+    fn add_prescribed(&self, system: &mut System) {
         let row = system.d.nrows().saturating_sub(1);
         match self.problem.prescribed {
             None => {}
-            Some(Prescribed::HalfLength(_)) => system.d[(row, self.prescribed_end(places))] = 1.0,
+            Some(Prescribed::HalfLength(_)) => system.d[(row, self.prescribed_end())] = 1.0,
             Some(Prescribed::Depth(depth)) => {
                 let rows = Places { terms: Default::default(), ends: 0, left: (vec![0], row), told: Vec::new() };
                 let sunk = self.sunk();
                 for (contact, all) in sunk.by_columns.iter().enumerate() {
                     let block = Block { all, first: [0; 2], factor: 1.0 };
                     for own in self.chain(contact) {
-                        self.add_columns(&rows, system, own, &places[own], &block);
+                        self.add_columns(&rows, system, own, &block);
                     }
                 }
                 system.right.left[row] += depth - sunk.height;
@@ -155,22 +160,17 @@ impl Equations<'_> {
     }
 
     /// Adds what the columns of some contacts do to the rows of others, given as products of all columns of two of them.
-    fn add(
-        &self,
-        places: &[Places],
-        system: &mut System,
-        (rows, columns): (Range<usize>, Range<usize>),
-        block: &Block,
-    ) {
-        for rows in rows.map(|contact| &places[contact]) {
+    fn add(&self, system: &mut System, (rows, columns): (Range<usize>, Range<usize>), block: &Block) {
+        for rows in rows.map(|contact| &self.places[contact]) {
             for contact in columns.clone() {
-                self.add_columns(rows, system, contact, &places[contact], block);
+                self.add_columns(rows, system, contact, block);
             }
         }
     }
 
     /// The same for the rows of one contact and the columns of one.
-    fn add_columns(&self, rows: &Places, system: &mut System, contact: usize, own: &Places, block: &Block) {
+    fn add_columns(&self, rows: &Places, system: &mut System, contact: usize, block: &Block) {
+        let own = &self.places[contact];
         let (terms, ends) = (self.columns[contact].terms(), self.columns[contact].ends());
         let loads = system.e.ncols() - self.turning.len() - self.loads.len();
         let System { a, e, b, d, right } = system;
@@ -193,11 +193,11 @@ impl Equations<'_> {
     }
 
     /// Adds what half-planes and short waves do, and the slope of the punch.
-    fn add_in_space(&self, places: &[Places], system: &mut System, contact: usize) -> Option<()> {
+    fn add_in_space(&self, system: &mut System, contact: usize) -> Option<()> {
         let (matrix, load) = (self.in_space(contact, None)?.matrix, self.load(contact));
         let block = Block { all: &matrix, first: [0; 2], factor: self.layout.own[contact].limit };
-        self.add(places, system, (self.chain(contact), self.chain(contact)), &block);
-        for Places { terms, left, .. } in &places[self.chain(contact)] {
+        self.add(system, (self.chain(contact), self.chain(contact)), &block);
+        for Places { terms, left, .. } in &self.places[self.chain(contact)] {
             let add = |(right, row): (&mut f64, &usize)| *right += load[*row];
             system.right.terms[terms.1..].iter_mut().zip(&terms.0).for_each(add);
             system.right.left[left.1..].iter_mut().zip(&left.0).for_each(add);

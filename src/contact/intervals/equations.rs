@@ -43,6 +43,10 @@ pub(super) struct Equations<'a> {
     short_waves: Vec<OnceCell<Option<Vec<ShortWaves>>>>,
     slopes: Vec<OnceCell<Vec<f64>>>,
     pub(super) sunk: OnceCell<Sunk>,
+    /// How many numbers of columns are kept at most.
+    keeps: usize,
+    /// Where unknowns and rows stand, of each contact.
+    pub(super) places: Vec<Places>,
 }
 
 /// What a punch carries, if that is unknown, by the group of intervals under it.
@@ -164,7 +168,29 @@ impl<'a> Equations<'a> {
         let turning = (0..problem.contacts()).flat_map(of).collect();
         let (short_waves, slopes) = columns.iter().map(|_| (OnceCell::new(), OnceCell::new())).unzip();
         let (blocks, sunk) = Default::default();
-        Self { problem, layout, columns, linked, moves, loads, turning, blocks, short_waves, slopes, sunk }
+        let (keeps, places) = (KEPT, Vec::new());
+        let mut all = Self {
+            problem,
+            layout,
+            columns,
+            linked,
+            moves,
+            loads,
+            turning,
+            blocks,
+            short_waves,
+            slopes,
+            sunk,
+            keeps,
+            places,
+        };
+        all.places = all.placed();
+        all
+    }
+
+    /// The same for use once: no columns are kept.
+    pub(super) fn once(self) -> Self {
+        Self { keeps: 0, ..self }
     }
 
     /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.
@@ -174,7 +200,7 @@ impl<'a> Equations<'a> {
     }
 
     /// Where unknowns and rows of all contacts stand.
-    pub(super) fn places(&self) -> Vec<Places> {
+    fn placed(&self) -> Vec<Places> {
         let (mut term, mut end, mut row) = (0, 0, 0);
         let mut all = Vec::new();
         for (contact, columns) in self.columns.iter().enumerate() {
@@ -242,10 +268,10 @@ impl<'a> Equations<'a> {
     }
 
     /// The places of the unknown terms that are among the first ones of each interval, as many as `counts` says.
-    pub(super) fn kept(&self, places: &[Places], counts: &[usize]) -> Vec<usize> {
+    pub(super) fn kept(&self, counts: &[usize]) -> Vec<usize> {
         let mut next = counts.iter();
         let mut kept = Vec::new();
-        for (columns, Places { terms: (terms, first), .. }) in self.columns.iter().zip(places) {
+        for (columns, Places { terms: (terms, first), .. }) in self.columns.iter().zip(&self.places) {
             let last = columns.counts.iter().zip(next.by_ref()).enumerate();
             let ranges: Vec<Range<usize>> =
                 last.map(|(interval, (_, count))| columns.first(interval)..columns.first(interval) + count).collect();
@@ -296,7 +322,7 @@ impl<'a> Equations<'a> {
         let size: usize = waves.iter().map(|waves| waves.values.len()).sum();
         let sampled = Rc::new(Sampled { waves, long, whole });
         let mut blocks = self.blocks.borrow_mut();
-        if blocks.len() == number && (number + 1) * size <= KEPT {
+        if blocks.len() == number && (number + 1) * size <= self.keeps {
             blocks.push(sampled.clone());
         }
         sampled

@@ -1,8 +1,6 @@
 //! No pressure may be tension, and no gap penetrated, between the intervals of a contact and beyond them.
 use std::f64::consts::PI;
 
-use num_complex::Complex64;
-
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
@@ -12,6 +10,8 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::abel;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, PLACES, SAFETY};
 use crate::contact::problem::twin::Twin;
+use crate::numeric::trigonometry::sin_cos;
+use crate::numeric::vector::{LANES, Lanes, vectorised};
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
@@ -179,7 +179,7 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
 
 /// The slopes of waves outside each contact, both parts of exp(iζx).
 fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<f64>; 2]> {
-    let equations = Equations::new(problem, layout, &level.support, &level.counts);
+    let equations = Equations::new(problem, layout, &level.support, &level.counts).once();
     let reach = |contact: usize| layout.own[contact].reach;
     let mut all: Vec<_> = (0..problem.contacts()).map(|contact| [0, 1].map(|_| vec![0.0; reach(contact)])).collect();
     let amplitudes = equations.told_amplitudes(&level.solved.pressures);
@@ -221,39 +221,69 @@ fn gaps(
 
 /// What waves add to a gap between its end and places at the distances d, 4d, 9d ... from there: phases of waves grow by odd multiples of ζd from place to place, and
 /// follow by multiplication.
-struct Waves {
-    /// Amplitudes of waves over ζ, with their phases at the end.
-    amplitudes: Vec<Complex64>,
+struct Waves(Vec<SomeWaves>);
+
+/// Some waves, in real and imaginary parts.
+#[derive(Clone, Copy)]
+struct SomeWaves {
+    /// Amplitudes over ζ, with their phases at the end.
+    amplitude: [Lanes; 2],
     /// 1 − exp(iφ) for the phase φ at the last place from the end on, its next step, and what that grows by.
-    phases: Vec<[Complex64; 3]>,
+    phase: [Lanes; 2],
+    step: [Lanes; 2],
+    growth: [Lanes; 2],
 }
 
 impl Waves {
     fn new([even, odd]: &[Vec<f64>; 2], zeta: &[f64], from: f64, d: f64) -> Self {
-        // 1 − exp(iφ)
-        let less = |phase: f64| {
-            let (sin, cos) = (0.5 * phase).sin_cos();
-            Complex64::new(2.0 * sin * sin, -2.0 * sin * cos)
-        };
-        let amplitude = |((even, odd), zeta): ((&f64, &f64), &f64)| {
-            Complex64::new(*even, -odd) * Complex64::from_polar(zeta.recip(), zeta * from)
-        };
-        let first = |zeta: &f64| {
-            let step = less(zeta * d);
+        let some = |((even, odd), zeta): ((&[f64], &[f64]), &[f64])| {
+            let lanes =
+                |values: &[f64]| -> Lanes { std::array::from_fn(|lane| values.get(lane).copied().unwrap_or(0.0)) };
+            let ([even, odd], zeta) = ([even, odd].map(lanes), lanes(zeta));
+            let (sines, cosines) = sin_cos(&zeta.map(|zeta| zeta * from));
+            let (half_sines, half_cosines) = sin_cos(&zeta.map(|zeta| 0.5 * zeta * d));
+            // there are no waves behind the last one
+            let over = |value: f64, lane: usize| if zeta[lane] > 0.0 { value / zeta[lane] } else { 0.0 };
+            let amplitude = [
+                std::array::from_fn(|lane| over(even[lane] * cosines[lane] + odd[lane] * sines[lane], lane)),
+                std::array::from_fn(|lane| over(even[lane] * sines[lane] - odd[lane] * cosines[lane], lane)),
+            ];
+            let step = [
+                std::array::from_fn(|lane| 2.0 * half_sines[lane] * half_sines[lane]),
+                std::array::from_fn(|lane| -2.0 * half_sines[lane] * half_cosines[lane]),
+            ];
             // 1 − (1 − s)²
-            [Complex64::ZERO, step, step * (2.0 - step)]
+            let mut growth = step;
+            approach_one(&mut growth, &step);
+            SomeWaves { amplitude, phase: [[0.0; LANES]; 2], step, growth }
         };
-        let amplitudes = even.iter().zip(odd).zip(zeta).map(amplitude).collect();
-        Self { amplitudes, phases: zeta[..even.len()].iter().map(first).collect() }
+        let all = even.chunks(LANES).zip(odd.chunks(LANES)).zip(zeta[..even.len()].chunks(LANES));
+        Self(all.map(some).collect())
     }
 
     /// At the next place.
     fn next(&mut self) -> f64 {
-        let of = |(amplitude, [phase, step, growth]): (&Complex64, &mut [Complex64; 3])| {
-            *phase += (1.0 - *phase) * *step;
-            *step += (1.0 - *step) * *growth;
-            amplitude.re * phase.re - amplitude.im * phase.im
-        };
-        self.amplitudes.iter().zip(&mut self.phases).map(of).sum()
+        vectorised(
+            #[inline(always)]
+            || {
+                let mut sums = [0.0; LANES];
+                for SomeWaves { amplitude: [re, im], phase, step, growth } in &mut self.0 {
+                    approach_one(phase, step);
+                    approach_one(step, growth);
+                    (0..LANES).for_each(|lane| sums[lane] += re[lane] * phase[0][lane] - im[lane] * phase[1][lane]);
+                }
+                sums.iter().sum()
+            },
+        )
+    }
+}
+
+/// 1 − (1 − a)(1 − b) in place of a.
+#[inline(always)]
+fn approach_one([re, im]: &mut [Lanes; 2], [by_re, by_im]: &[Lanes; 2]) {
+    for lane in 0..LANES {
+        let [left, minus_im] = [1.0 - re[lane], -im[lane]];
+        re[lane] += left * by_re[lane] - minus_im * by_im[lane];
+        im[lane] += left * by_im[lane] + minus_im * by_re[lane];
     }
 }

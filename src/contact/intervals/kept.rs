@@ -4,7 +4,7 @@
 //! columns with one vector, twice, in place of products of all columns with each other. It leaves as much of an error as ends have moved. Terms that the
 //! equations do not have are so short that half-planes dominate in their rows.
 use crate::contact::integrals::layout::Layout;
-use crate::contact::intervals::equations::{Equations, Places, Solved, fewer};
+use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::{Factors, System, Unknowns};
 use crate::numeric::longest;
@@ -24,10 +24,9 @@ pub(super) struct Kept {
 impl Kept {
     /// The equations of a list, and their solution; `None` if there is none in double precision.
     pub(super) fn new(equations: &Equations, support: &Intervals, counts: &[usize]) -> Option<(Self, Solved)> {
-        let places = equations.places();
-        let system = equations.system(&places)?;
+        let system = equations.system()?;
         let factors = system.factorised()?;
-        let solved = equations.solved(&places, &factors.solve(&system.right)?, counts);
+        let solved = equations.solved(&factors.solve(&system.right)?, counts);
         Some((Self { system, factors, support: support.clone(), counts: counts.to_vec() }, solved))
     }
 
@@ -52,26 +51,25 @@ impl Kept {
         equations: &Equations,
         all: &[(&Solved, &[usize])],
     ) -> Option<Vec<(Solved, f64)>> {
-        let places = equations.places();
         let wanted = |counts: &[usize]| {
-            let mut wanted = vec![false; places.last().map_or(0, |last| last.terms.1 + last.terms.0.len())];
-            equations.kept(&places, counts).into_iter().for_each(|place| wanted[place] = true);
+            let mut wanted = vec![false; equations.unknown_terms()];
+            equations.kept(counts).into_iter().for_each(|place| wanted[place] = true);
             wanted
         };
         let wanted: Vec<Vec<bool>> = all.iter().map(|(_, counts)| wanted(counts)).collect();
         let unknowns = all.iter().zip(&wanted).map(|((solved, _), wanted)| {
-            let mut unknowns = equations.unknowns(&places, solved);
+            let mut unknowns = equations.unknowns(solved);
             unknowns.x.iter_mut().zip(wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
             unknowns
         });
         let unknowns: Vec<Unknowns> = unknowns.collect();
-        let missed = equations.residuals(&places, &unknowns)?;
+        let missed = equations.residuals(&unknowns)?;
         let sets = unknowns.into_iter().zip(missed).zip(&wanted).zip(all);
         let corrected = sets.map(|(((mut unknowns, missed), wanted), (_, counts))| {
-            let correction = self.correction(equations, &places, wanted, &missed)?;
+            let correction = self.correction(equations, wanted, &missed)?;
             unknowns.x.iter_mut().zip(&correction.x).for_each(|(x, change)| *x += change);
             unknowns.q.iter_mut().zip(&correction.q).for_each(|(q, change)| *q += change);
-            Some((equations.solved(&places, &unknowns, counts), longest(correction.x.iter().copied())))
+            Some((equations.solved(&unknowns, counts), longest(correction.x.iter().copied())))
         });
         corrected.collect()
     }
@@ -85,23 +83,17 @@ impl Kept {
     }
 
     /// The unknowns that make up for what tests miss.
-    fn correction(
-        &self,
-        equations: &Equations,
-        places: &[Places],
-        is_wanted: &[bool],
-        missed: &[Vec<f64>],
-    ) -> Option<Unknowns> {
-        let own = equations.kept(places, &self.counts);
+    fn correction(&self, equations: &Equations, is_wanted: &[bool], missed: &[Vec<f64>]) -> Option<Unknowns> {
+        let own = equations.kept(&self.counts);
         let common: Vec<usize> = (0..own.len()).filter(|k| is_wanted[own[*k]]).collect();
         let among: Vec<usize> = common.iter().map(|k| own[*k]).collect();
-        let rows = equations.rows_of(places, missed).part(&among);
+        let rows = equations.rows_of(missed).part(&among);
         let Unknowns { x: of_common, q } = if common.len() == own.len() {
             self.factors.solve(&rows)?
         } else {
             self.system.part(&common).factorised()?.solve(&rows)?
         };
-        let mut x = equations.on_half_planes(places, missed);
+        let mut x = equations.on_half_planes(missed);
         x.iter_mut().zip(is_wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
         among.iter().zip(of_common).for_each(|(place, value)| x[*place] = value);
         Some(Unknowns { x, q })

@@ -22,7 +22,7 @@ impl Equations<'_> {
     /// moments among the rows.
     pub(super) fn ledger(&self) -> Ledger {
         let (mut unknowns, mut rows) = (Vec::new(), Vec::new());
-        for (contact, places) in self.places().iter().enumerate().filter(|(i, _)| !self.problem.is_known(*i)) {
+        for (contact, places) in self.places.iter().enumerate().filter(|(i, _)| !self.problem.is_known(*i)) {
             let (columns, interface) = (&self.columns[contact], self.problem.interfaces[contact]);
             let told = places.told.len();
             let corners = columns.intervals.iter().flat_map(|own| own.sides().iter().map(|side| own.is_corner(*side)));

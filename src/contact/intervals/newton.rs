@@ -389,10 +389,9 @@ impl<'a> Newton<'a> {
 
 /// Pressures without what is singular at ends that are found, with all resultants and moments.
 fn regular(equations: &Equations, support: &Intervals, solved: &Solved) -> Vec<Pressure> {
-    let places = equations.places();
-    let unknowns = equations.unknowns(&places, &solved.regular(support));
+    let unknowns = equations.unknowns(&solved.regular(support));
     let counts: Vec<usize> = solved.pressures.iter().map(|pressure| pressure.terms.len()).collect();
-    equations.solved(&places, &unknowns, &counts).pressures
+    equations.solved(&unknowns, &counts).pressures
 }
 
 /// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.

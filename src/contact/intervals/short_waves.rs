@@ -14,7 +14,7 @@ use crate::contact::intervals::columns::{Columns, Other};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::ContactInterval;
 use crate::kernel::Kernel;
-use crate::numeric::bessel;
+use crate::numeric::{bessel, dot};
 
 /// The columns of one interval at short waves, and the weights of the kernel there.
 pub(super) struct ShortWaves {
@@ -55,24 +55,25 @@ impl Columns<'_> {
                 (0..count).map(|m| (self.first(number) + m, interval.order(m), 0.5 * half * interval.transform(m)));
             let mean = self.place(Other::Mean(number)).map(|row| (row, 0, 1.0));
             let (pressing, tested) = (self.pressing(number), 0..interval.wanted().below(orders));
-            // what presses with each column, or with some amplitudes: sums of columns of even orders, and of odd ones
-            let products = match space.amplitudes {
-                None => product(table.part(tested), weights, table.all()),
-                Some(amplitudes) => {
-                    let mut sums = Samples::zeros(table.rows(), 2);
-                    for Pressing { column, place, is_odd, part } in &pressing {
-                        let sum = sums.column_mut(usize::from(*is_odd)).iter_mut().zip(table.column(*place));
-                        sum.for_each(|(sum, value)| *sum += part * amplitudes[*column] * value);
+            if let Some(amplitudes) = space.amplitudes {
+                // what presses with the amplitudes, by columns of even orders and of odd ones
+                let pressed = [false, true].map(|odd| {
+                    let mut sum = vec![0.0; table.rows()];
+                    for Pressing { column, place, part, .. } in pressing.iter().filter(|own| own.is_odd == odd) {
+                        let factor = part * amplitudes[*column];
+                        sum.iter_mut().zip(table.column(*place)).for_each(|(sum, value)| *sum += factor * value);
                     }
-                    product(table.part(tested), weights, sums.all())
+                    weights.weighted(&sum)
+                });
+                for (row, k, part) in tests.chain(mean) {
+                    let tested = dot(table.column(interval.among_wanted(k)), &pressed[k % 2]);
+                    space.matrix[(row, 0)] += factor * part * tested;
                 }
-            };
+                continue;
+            }
+            let products = product(table.part(tested), weights, table.all());
             for (row, k, part) in tests.chain(mean) {
                 let factor = factor * part;
-                if space.amplitudes.is_some() {
-                    space.matrix[(row, 0)] += factor * products.column(k % 2)[interval.among_wanted(k)];
-                    continue;
-                }
                 for own in pressing.iter().filter(|own| own.is_odd == (k % 2 == 1)) {
                     space.matrix[(row, own.column)] +=
                         factor * own.part * products.column(own.place)[interval.among_wanted(k)];

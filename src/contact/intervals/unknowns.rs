@@ -9,10 +9,10 @@ use crate::numeric::dot;
 
 impl Equations<'_> {
     /// The amplitudes of all columns of all contacts, the first ones of which tell resultants and moments; 1 of a given pressure.
-    fn amplitudes_of(&self, places: &[Places], Unknowns { x, q }: &Unknowns) -> Vec<Vec<f64>> {
+    fn amplitudes_of(&self, Unknowns { x, q }: &Unknowns) -> Vec<Vec<f64>> {
         let loads = &q[q.len() - self.turning.len() - self.loads.len()..];
-        let mut all: Vec<Vec<f64>> = Vec::with_capacity(places.len());
-        for (contact, (columns, places)) in self.columns.iter().zip(places).enumerate() {
+        let mut all: Vec<Vec<f64>> = Vec::with_capacity(self.places.len());
+        for (contact, (columns, places)) in self.columns.iter().zip(&self.places).enumerate() {
             let told = |told: &Told| told.known + dot(&told.by_loads, loads);
             if columns.intervals.is_empty() {
                 all.push(places.told.iter().map(told).collect());
@@ -32,11 +32,11 @@ impl Equations<'_> {
     }
 
     /// Pressures from unknowns, with `counts` terms on the intervals.
-    pub(super) fn solved(&self, places: &[Places], unknowns: &Unknowns, counts: &[usize]) -> Solved {
+    pub(super) fn solved(&self, unknowns: &Unknowns, counts: &[usize]) -> Solved {
         let mut counts = counts.iter();
         let (others, angles) = unknowns.q.split_at(unknowns.q.len() - self.turning.len());
         let loads = &others[others.len() - self.loads.len()..];
-        let mut amplitudes = self.amplitudes_of(places, unknowns);
+        let mut amplitudes = self.amplitudes_of(unknowns);
         let mut of = |contact: usize| {
             let (columns, amplitudes) = (&self.columns[contact], &mut amplitudes[contact]);
             columns.as_they_are(amplitudes);
@@ -69,9 +69,8 @@ impl Equations<'_> {
     }
 
     /// The unknowns of pressures, but for tips, which are where they are; what resultants and moments tell is left out.
-    pub(super) fn unknowns(&self, places: &[Places], solved: &Solved) -> Unknowns {
-        let last = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
-        let (mut x, mut q) = (vec![0.0; last], Vec::new());
+    pub(super) fn unknowns(&self, solved: &Solved) -> Unknowns {
+        let (mut x, mut q) = (vec![0.0; self.unknown_terms()], Vec::new());
         let mut pressures = solved.pressures.iter();
         let of = |(contact, columns): (usize, &Columns)| -> Vec<Pressure> {
             let all = columns.intervals.iter().zip(columns.counts).zip(pressures.by_ref());
@@ -85,7 +84,7 @@ impl Equations<'_> {
         let pressures: Vec<Pressure> = self.columns.iter().enumerate().flat_map(of).collect();
         let amplitudes = self.told_amplitudes(&pressures);
         for contact in self.problem.unknown() {
-            let (columns, places) = (&self.columns[contact], &places[contact]);
+            let (columns, places) = (&self.columns[contact], &self.places[contact]);
             let above = if self.chain(contact).len() > 1 { &amplitudes[contact - 1][..] } else { &[] };
             let own = |column: usize| amplitudes[contact][column] - above.get(column).unwrap_or(&0.0);
             let (terms, first) = &places.terms;
@@ -98,8 +97,8 @@ impl Equations<'_> {
 
     /// What the tests of each contact miss, and last what is missing of what is prescribed, with each of some unknowns: zero if these solve the equations. `None` if short
     /// waves take too many wavenumbers.
-    pub(super) fn residuals(&self, places: &[Places], all: &[Unknowns]) -> Option<Vec<Vec<Vec<f64>>>> {
-        let sets: Vec<Vec<Vec<f64>>> = all.iter().map(|unknowns| self.amplitudes_of(places, unknowns)).collect();
+    pub(super) fn residuals(&self, all: &[Unknowns]) -> Option<Vec<Vec<Vec<f64>>>> {
+        let sets: Vec<Vec<Vec<f64>>> = all.iter().map(|unknowns| self.amplitudes_of(unknowns)).collect();
         let zeros: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
         let mut missed = vec![zeros; all.len()];
         self.responses(&sets, |[set, contact], _, sampled, response| {
@@ -113,7 +112,7 @@ impl Equations<'_> {
             for contact in self.problem.unknown() {
                 self.add_in_space_of(contact, &amplitudes[contact], angles, &mut rows[contact])?;
             }
-            rows.push(self.unmet(places, amplitudes, unknowns));
+            rows.push(self.unmet(amplitudes, unknowns));
         }
         Some(missed)
     }
@@ -124,23 +123,22 @@ impl Equations<'_> {
         let mut regular = solved.clone();
         let ends = regular.pressures.iter_mut().flat_map(|pressure| &mut pressure.singular);
         ends.zip(without).filter(|(_, without)| **without).for_each(|(q, _)| *q = 0.0);
-        let places = self.places();
-        let own = self.sunk().with(&self.amplitudes_of(&places, &self.unknowns(&places, &regular)));
+        let own = self.sunk().with(&self.amplitudes_of(&self.unknowns(&regular)));
         (own / depth - 1.0).abs()
     }
 
     /// What is missing of what is prescribed of the punch in place of its force.
-    fn unmet(&self, places: &[Places], amplitudes: &[Vec<f64>], unknowns: &Unknowns) -> Vec<f64> {
+    fn unmet(&self, amplitudes: &[Vec<f64>], unknowns: &Unknowns) -> Vec<f64> {
         let of = |prescribed| match prescribed {
-            Prescribed::HalfLength(_) => -unknowns.q[self.prescribed_end(places)],
+            Prescribed::HalfLength(_) => -unknowns.q[self.prescribed_end()],
             Prescribed::Depth(depth) => depth - self.sunk().with(amplitudes),
         };
         self.problem.prescribed.map(of).into_iter().collect()
     }
 
     /// Where the end of the contact that is as far out as prescribed stands among the unknowns: the right one of the innermost interval under the punch.
-    pub(super) fn prescribed_end(&self, places: &[Places]) -> usize {
-        places[0].ends + self.columns[0].intervals[0].sides().len() - 1
+    pub(super) fn prescribed_end(&self) -> usize {
+        self.places[0].ends + self.columns[0].intervals[0].sides().len() - 1
     }
 
     /// Adds what tests of a contact miss in space with some amplitudes and angles.
@@ -160,11 +158,10 @@ impl Equations<'_> {
     }
 
     /// The rows of all unknowns, from the tests of each contact.
-    pub(super) fn rows_of(&self, places: &[Places], tested: &[Vec<f64>]) -> Rows {
-        let terms = places.last().map_or(0, |last| last.terms.1 + last.terms.0.len());
-        let mut all = Rows::zeros(terms, self.border(places));
+    pub(super) fn rows_of(&self, tested: &[Vec<f64>]) -> Rows {
+        let mut all = Rows::zeros(self.unknown_terms(), self.border());
         for contact in self.problem.unknown() {
-            for Places { terms, left, .. } in &places[self.chain(contact)] {
+            for Places { terms, left, .. } in &self.places[self.chain(contact)] {
                 let add = |(into, row): (&mut f64, &usize)| *into += tested[contact][*row];
                 all.terms[terms.1..].iter_mut().zip(&terms.0).for_each(add);
                 all.left[left.1..].iter_mut().zip(&left.0).for_each(add);
@@ -176,7 +173,7 @@ impl Equations<'_> {
     }
 
     /// The unknown terms that make up for what tests miss on half-planes, where each term acts on its own test alone.
-    pub(super) fn on_half_planes(&self, places: &[Places], tested: &[Vec<f64>]) -> Vec<f64> {
+    pub(super) fn on_half_planes(&self, tested: &[Vec<f64>]) -> Vec<f64> {
         let mut all = Vec::new();
         let mut above: Vec<f64> = Vec::new();
         for contact in self.problem.unknown() {
@@ -189,7 +186,7 @@ impl Equations<'_> {
             let own: Vec<f64> = compliances.zip(&tested[contact]).map(|(compliance, row)| compliance * row).collect();
             let is_linked = self.chain(contact).len() > 1;
             let more = |term: &usize| own[*term] - if is_linked { above[*term] } else { 0.0 };
-            all.extend(places[contact].terms.0.iter().map(more));
+            all.extend(self.places[contact].terms.0.iter().map(more));
             above = own;
         }
         all
