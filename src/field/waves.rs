@@ -8,6 +8,7 @@ use num_complex::Complex64;
 use crate::geometry::Geometry;
 use crate::numeric::bessel::{self, Kind};
 use crate::numeric::quadrature::{self, Rule};
+use crate::numeric::trigonometry::sines_and_cosines;
 
 /// The accuracy to which a field is summed.
 #[derive(Clone, Copy, Debug)]
@@ -167,18 +168,11 @@ fn round_waves(wave: Complex64, z: f64) -> [f64; 2] {
 }
 
 fn plane(places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
-    let size = places.len() * wavenumbers.len();
-    let mut tables = [vec![0.0; size], vec![0.0; size], vec![0.0; size]];
-    for (q, wavenumber) in wavenumbers.iter().enumerate() {
-        for (k, x) in places.iter().enumerate() {
-            let (sin, cos) = (0.5 * wavenumber * x).sin_cos();
-            let at = q * places.len() + k;
-            tables[0][at] = 2.0 * sin * cos;
-            tables[2][at] = -2.0 * sin * sin;
-            tables[1][at] = 1.0 + tables[2][at];
-        }
-    }
-    tables
+    let halves = |wavenumber: &f64| places.iter().map(move |x| 0.5 * wavenumber * x).collect::<Vec<_>>();
+    let [sines, cosines] = sines_and_cosines(&wavenumbers.iter().flat_map(halves).collect::<Vec<_>>());
+    let sine = sines.iter().zip(&cosines).map(|(sin, cos)| 2.0 * sin * cos).collect();
+    let minus_one: Vec<f64> = sines.iter().map(|sin| -2.0 * sin * sin).collect();
+    [sine, minus_one.iter().map(|minus_one| 1.0 + minus_one).collect(), minus_one]
 }
 
 /// J₁(λr), J₀(λr) and J₀(λr) − 1 in place of the sine, the cosine and the cosine minus 1.

@@ -3,6 +3,8 @@
 //! Source: Cody and Waite 1980, chapter 8 (reduction); polynomials of
 //! the kernels of fdlibm (Sun Microsystems, 1993).
 
+use super::vector::{LANES, vectorised};
+
 /// Arguments beyond this are left to the system's functions: multiples of π/2 are no longer exact.
 const FARTHEST: f64 = 1e6;
 /// π/2 in three parts of 33 bits.
@@ -62,6 +64,26 @@ pub(crate) fn sin_cos<const N: usize>(arguments: &[f64; N]) -> ([f64; N], [f64; 
         cosines[k] = f64::from_bits(second ^ ((quarters.wrapping_add(1) & 2) << 62));
     }
     (sines, cosines)
+}
+
+/// Sines and cosines of any number of arguments.
+pub(crate) fn sines_and_cosines(arguments: &[f64]) -> [Vec<f64>; 2] {
+    let mut all = [vec![0.0; arguments.len()], vec![0.0; arguments.len()]];
+    vectorised(
+        #[inline(always)]
+        || {
+            let [sines, cosines] = &mut all;
+            let of = sines.chunks_mut(LANES).zip(cosines.chunks_mut(LANES)).zip(arguments.chunks(LANES));
+            for ((sines, cosines), some) in of {
+                let mut arguments = [0.0; LANES];
+                arguments[..some.len()].copy_from_slice(some);
+                let (sin, cos) = sin_cos(&arguments);
+                sines.copy_from_slice(&sin[..some.len()]);
+                cosines.copy_from_slice(&cos[..some.len()]);
+            }
+        },
+    );
+    all
 }
 
 #[cfg(test)]

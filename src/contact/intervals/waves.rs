@@ -10,6 +10,7 @@ use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::numeric::bessel;
+use crate::numeric::trigonometry::sines_and_cosines;
 use crate::numeric::workspace::Workspace;
 
 /// Wavenumbers of which columns are made at once: no number depends on it, but storage of many more has to be fetched from the system.
@@ -63,7 +64,7 @@ impl Columns<'_> {
         let wanted = interval.wanted();
         let mut table = Samples::new(nodes, wanted.below(orders), workspace);
         bessel::scaled_orders(orders, wanted, &arguments, 1.0, nodes, &mut table.values);
-        let (sines, cosines): (Vec<f64>, Vec<f64>) = zeta.iter().map(|zeta| (zeta * middle).sin_cos()).unzip();
+        let [sines, cosines] = sines_and_cosines(&zeta.iter().map(|zeta| zeta * middle).collect::<Vec<_>>());
         self.put_terms(all, number, &table, [&sines, &cosines]);
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
