@@ -8,22 +8,9 @@ pub(crate) mod trigonometry;
 pub(crate) mod vector;
 pub(crate) mod workspace;
 
-use vector::{LANES, vectorised};
-
 /// Σ a_i b_i.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    vectorised(
-        #[inline(always)]
-        || {
-            let (a, b) = (&a[..a.len().min(b.len())], &b[..a.len().min(b.len())]);
-            let ((a, rest), (b, others)) = (a.as_chunks::<LANES>(), b.as_chunks::<LANES>());
-            let mut sums = [0.0; LANES];
-            for (a, b) in a.iter().zip(b) {
-                (0..LANES).for_each(|lane| sums[lane] += a[lane] * b[lane]);
-            }
-            sums.iter().sum::<f64>() + rest.iter().zip(others).map(|(a, b)| a * b).sum::<f64>()
-        },
-    )
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// The largest of non-negative numbers, 0 if there are none; NaN if any of them is: an error that is not known is no small

@@ -14,7 +14,7 @@ use crate::contact::intervals::columns::{Columns, Other};
 use crate::contact::intervals::space::InSpace;
 use crate::contact::intervals::support::ContactInterval;
 use crate::kernel::Kernel;
-use crate::numeric::{bessel, dot};
+use crate::numeric::bessel;
 
 /// The columns of one interval at short waves, and the weights of the kernel there.
 pub(super) struct ShortWaves {
@@ -56,18 +56,18 @@ impl Columns<'_> {
             let mean = self.place(Other::Mean(number)).map(|row| (row, 0, 1.0));
             let (pressing, tested) = (self.pressing(number), 0..interval.wanted().below(orders));
             if let Some(amplitudes) = space.amplitudes {
-                // what presses with the amplitudes, by columns of even orders and of odd ones
-                let pressed = [false, true].map(|odd| {
-                    let mut sum = vec![0.0; table.rows()];
-                    for Pressing { column, place, part, .. } in pressing.iter().filter(|own| own.is_odd == odd) {
-                        let factor = part * amplitudes[*column];
-                        sum.iter_mut().zip(table.column(*place)).for_each(|(sum, value)| *sum += factor * value);
+                // what columns of even orders, or of odd ones, do with the amplitudes: columns of an even interval are odd
+                let made = |is_odd: bool| {
+                    let mut pressed = vec![0.0; table.rows()];
+                    for own in pressing.iter().filter(|own| own.is_odd == is_odd) {
+                        let factor = own.part * amplitudes[own.column];
+                        pressed.iter_mut().zip(table.column(own.place)).for_each(|(sum, value)| *sum += factor * value);
                     }
-                    weights.weighted(&sum)
-                });
+                    table.part(tested.clone()).test(&weights.weighted(&pressed))
+                };
+                let all = [if interval.is_even() { Vec::new() } else { made(false) }, made(true)];
                 for (row, k, part) in tests.chain(mean) {
-                    let tested = dot(table.column(interval.among_wanted(k)), &pressed[k % 2]);
-                    space.matrix[(row, 0)] += factor * part * tested;
+                    space.matrix[(row, 0)] += factor * part * all[k % 2][interval.among_wanted(k)];
                 }
                 continue;
             }
