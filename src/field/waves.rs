@@ -8,7 +8,7 @@ use num_complex::Complex64;
 use crate::geometry::Geometry;
 use crate::numeric::bessel::{self, Kind};
 use crate::numeric::quadrature::{self, Rule};
-use crate::numeric::trigonometry::sines_and_cosines;
+use crate::numeric::trigonometry;
 
 /// The accuracy to which a field is summed.
 #[derive(Clone, Copy, Debug)]
@@ -115,7 +115,8 @@ impl WavePanel {
     /// Where they oscillate between the wavenumbers of the panel, the factors of [`Self::wave`] in place of e^(iλx).
     pub(super) fn tables(&self, geometry: Geometry, places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
         let is_round = geometry.is_axisymmetric();
-        let mut tables = if is_round { round(places, wavenumbers) } else { plane(places, wavenumbers) };
+        let phases = phases(places, wavenumbers);
+        let mut tables = if is_round { round(&phases) } else { trigonometry::waves(&phases) };
         for (k, x) in places.iter().enumerate() {
             let Some(waves) = self.wave(*x) else { continue };
             for (q, (wave, wavenumber)) in waves.into_iter().zip(wavenumbers).enumerate() {
@@ -167,21 +168,16 @@ fn round_waves(wave: Complex64, z: f64) -> [f64; 2] {
     amplitudes.map(|amplitude| (amplitude * wave).re)
 }
 
-fn plane(places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
-    let halves = |wavenumber: &f64| places.iter().map(move |x| 0.5 * wavenumber * x).collect::<Vec<_>>();
-    let [sines, cosines] = sines_and_cosines(&wavenumbers.iter().flat_map(halves).collect::<Vec<_>>());
-    let sine = sines.iter().zip(&cosines).map(|(sin, cos)| 2.0 * sin * cos).collect();
-    let minus_one: Vec<f64> = sines.iter().map(|sin| -2.0 * sin * sin).collect();
-    [sine, minus_one.iter().map(|minus_one| 1.0 + minus_one).collect(), minus_one]
+/// λx, wavenumber by wavenumber.
+fn phases(places: &[f64], wavenumbers: &[f64]) -> Vec<f64> {
+    wavenumbers.iter().flat_map(|wavenumber| places.iter().map(move |x| wavenumber * x)).collect()
 }
 
 /// J₁(λr), J₀(λr) and J₀(λr) − 1 in place of the sine, the cosine and the cosine minus 1.
-fn round(places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
-    let product = |wavenumber: &f64| places.iter().map(move |x| wavenumber * x).collect::<Vec<_>>();
-    let arguments: Vec<f64> = wavenumbers.iter().flat_map(product).collect();
+fn round(arguments: &[f64]) -> [Vec<f64>; 3] {
     let count = arguments.len();
     let mut bessel = vec![0.0; 2 * count];
-    bessel::table(2, &arguments, &mut bessel);
+    bessel::table(2, arguments, &mut bessel);
     let first = bessel.split_off(count);
     // J₀ − 1 = −z²/4 + z⁴/64 − ... cancels where z is small
     let minus_one = |(z, zeroth): (&f64, &f64)| {

@@ -66,20 +66,23 @@ pub(crate) fn sin_cos<const N: usize>(arguments: &[f64; N]) -> ([f64; N], [f64; 
     (sines, cosines)
 }
 
-/// Sines and cosines of any number of arguments.
-pub(crate) fn sines_and_cosines(arguments: &[f64]) -> [Vec<f64>; 2] {
-    let mut all = [vec![0.0; arguments.len()], vec![0.0; arguments.len()]];
+/// sin z, cos z and cos z − 1 of any number of arguments, without cancellation where they are small.
+pub(crate) fn waves(arguments: &[f64]) -> [Vec<f64>; 3] {
+    let mut all = [(); 3].map(|()| vec![0.0; arguments.len()]);
     vectorised(
         #[inline(always)]
         || {
-            let [sines, cosines] = &mut all;
-            let of = sines.chunks_mut(LANES).zip(cosines.chunks_mut(LANES)).zip(arguments.chunks(LANES));
-            for ((sines, cosines), some) in of {
-                let mut arguments = [0.0; LANES];
-                arguments[..some.len()].copy_from_slice(some);
-                let (sin, cos) = sin_cos(&arguments);
-                sines.copy_from_slice(&sin[..some.len()]);
-                cosines.copy_from_slice(&cos[..some.len()]);
+            let [sines, cosines, minus_one] = &mut all;
+            let of = sines.chunks_mut(LANES).zip(cosines.chunks_mut(LANES)).zip(minus_one.chunks_mut(LANES));
+            for (((sines, cosines), minus_one), some) in of.zip(arguments.chunks(LANES)) {
+                let mut halves = [0.0; LANES];
+                halves.iter_mut().zip(some).for_each(|(half, z)| *half = 0.5 * z);
+                let (sin, cos) = sin_cos(&halves);
+                for lane in 0..some.len() {
+                    sines[lane] = 2.0 * sin[lane] * cos[lane];
+                    minus_one[lane] = -2.0 * sin[lane] * sin[lane];
+                    cosines[lane] = 1.0 + minus_one[lane];
+                }
             }
         },
     );

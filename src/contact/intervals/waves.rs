@@ -9,9 +9,8 @@ use faer::{Accum, Mat, Par};
 use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
-use crate::numeric::bessel;
-use crate::numeric::trigonometry::sines_and_cosines;
 use crate::numeric::workspace::Workspace;
+use crate::numeric::{bessel, trigonometry};
 
 /// Wavenumbers of which columns are made at once: no number depends on it, but storage of many more has to be fetched from the system.
 pub(super) const AT_ONCE: usize = 96;
@@ -64,7 +63,8 @@ impl Columns<'_> {
         let wanted = interval.wanted();
         let mut table = Samples::new(nodes, wanted.below(orders), workspace);
         bessel::scaled_orders(orders, wanted, &arguments, 1.0, nodes, &mut table.values);
-        let [sines, cosines] = sines_and_cosines(&zeta.iter().map(|zeta| zeta * middle).collect::<Vec<_>>());
+        let [sines, cosines, minus_one] =
+            trigonometry::waves(&zeta.iter().map(|zeta| zeta * middle).collect::<Vec<_>>());
         self.put_terms(all, number, &table, [&sines, &cosines]);
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
@@ -73,7 +73,7 @@ impl Columns<'_> {
             let (sin, phase) = (sines[k], wave * middle);
             let jinc = twin.jinc_minus_one(arguments[k], j1[k]);
             let j2 = 0.5 * arguments[k] * (j1[k] + j3[k]) / (2.0 + twin.shift);
-            let (zeroth, cos) = (jinc - j2, cosine_minus_one(phase));
+            let (zeroth, cos) = (jinc - j2, minus_one[k]);
             let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
             put(first, k, wave * less_one(jinc, cos));
             for (place, side) in (end..).zip(interval.sides()) {
@@ -88,8 +88,8 @@ impl Columns<'_> {
             if interval.parity != Parity::None {
                 continue;
             }
-            // sin z − z of long waves
-            let odd = phase * bessel::sinc_minus_one(phase);
+            // sin z − z, of long waves by its series
+            let odd = if phase.abs() > 1.0 { sin - phase } else { phase * bessel::sinc_minus_one(phase) };
             let second = jinc + if arguments[k] > 0.0 { 2.0 * j3[k] / arguments[k] } else { 0.0 };
             let row = nodes + k;
             put(first, row, wave * (odd + sin * jinc));
