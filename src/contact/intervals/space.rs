@@ -10,6 +10,7 @@ use crate::contact::problem::Side;
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::profile::Span;
 use crate::numeric::quadrature::rule;
+use crate::numeric::vector::{LANES, Lanes, vectorised};
 
 /// Quadrature points in a gap, besides one for each term.
 const POINTS: usize = 48;
@@ -159,38 +160,52 @@ impl Columns<'_> {
     ) -> Mat<f64> {
         let columns = if amplitudes.is_some() { 1 } else { self.terms() + self.ends() };
         let mut all = Mat::zeros(places.len(), columns);
-        for (row, x) in places.iter().enumerate() {
-            for [b, c] in std::iter::once(&[0.0, 1.0]).chain(exponentials) {
-                let x = Complex64::new(*x, *b);
-                match amplitudes {
-                    Some(amplitudes) => {
-                        let mut sum = 0.0;
-                        self.for_slopes(x, *c, within, |column, slope| sum += slope * amplitudes[column]);
-                        all[(row, 0)] += sum;
+        vectorised(
+            #[inline(always)]
+            || {
+                for (some, first) in places.chunks(LANES).zip((0..).step_by(LANES)) {
+                    // the last place again in place of those that there are not
+                    let x = std::array::from_fn(|lane| some[lane.min(some.len() - 1)]);
+                    let rows = first..first + some.len();
+                    for depth in std::iter::once(&[0.0, 1.0]).chain(exponentials) {
+                        match amplitudes {
+                            Some(amplitudes) => {
+                                let mut sums = [0.0; LANES];
+                                self.for_slopes(&x, *depth, within, |column, slopes| {
+                                    (0..LANES).for_each(|lane| sums[lane] += slopes[lane] * amplitudes[column]);
+                                });
+                                let all = all.col_as_slice_mut(0)[rows.clone()].iter_mut();
+                                all.zip(sums).for_each(|(all, sum)| *all += sum);
+                            }
+                            None => self.for_slopes(&x, *depth, within, |column, slopes| {
+                                let all = all.col_as_slice_mut(column)[rows.clone()].iter_mut();
+                                all.zip(slopes).for_each(|(all, slope)| *all += slope);
+                            }),
+                        }
                     }
-                    None => self.for_slopes(x, *c, within, |column, slope| all[(row, column)] += slope),
                 }
-            }
-        }
+            },
+        );
         all
     }
 
-    /// Hands out `factor` times the slopes that terms and singular pressures make at x on a half-plane with λμ₀C = 1, or at x + ib if that is exp(−ζb), but
+    /// Hands out the slopes that terms and singular pressures make at some places on a half-plane with λμ₀C = 1, or c times the slopes at a depth b if that is c exp(−ζb), but
     /// for the pressures right there on interval `within`; a column and its mirror image one after the other.
-    fn for_slopes(&self, x: Complex64, factor: f64, within: Option<usize>, mut each: impl FnMut(usize, f64)) {
+    #[inline(always)]
+    fn for_slopes(&self, x: &Lanes, [b, c]: [f64; 2], within: Option<usize>, mut each: impl FnMut(usize, &Lanes)) {
         let mut end = self.terms();
         for (number, interval) in self.intervals.iter().enumerate() {
             let (first, count) = (self.first(number), self.counts[number]);
-            let mut add = |x: Complex64, factor: f64| {
+            let mut add = |x: &Lanes, factor: f64| {
                 let column = |k: usize| if k < count { first + k } else { end + k - count };
-                interval.slopes_of(count, x, |k, slope| each(column(k), factor * slope));
+                interval.slopes_of(count, (x, b), factor, |k, slopes| each(column(k), slopes));
             };
             if within != Some(number) {
-                add(x, factor);
+                add(x, c);
             }
             if interval.parity == Parity::Pair {
                 // the mirror image of the place, at the same depth
-                add(Complex64::new(-x.re, x.im), -factor);
+                add(&x.map(|x| -x), -c);
             }
             end += interval.sides().len();
         }
@@ -213,25 +228,38 @@ impl Columns<'_> {
 }
 
 impl ContactInterval {
-    /// Hands out the slopes at x that its terms make, by their numbers, and then its singular pressures.
-    fn slopes_of(&self, count: usize, x: Complex64, mut each: impl FnMut(usize, f64)) {
-        let unit = self.unit();
-        let s = (x - self.middle) / self.half;
+    /// Hands out a factor times the slopes at x, at a depth, that its terms make, by their numbers, and then its singular pressures.
+    #[inline(always)]
+    fn slopes_of(&self, count: usize, (x, depth): (&Lanes, f64), factor: f64, mut each: impl FnMut(usize, &Lanes)) {
+        let unit = factor * self.unit();
+        let s = x.map(|x| Complex64::new(x - self.middle, depth) / self.half);
+        let roots = s.map(root);
         // s less √(s² − 1)
-        let root = root(s);
-        let inside = (s + root).inv();
-        let (mut power, by) = if self.is_even() { (inside, inside * inside) } else { (inside, inside) };
+        let inside: [Complex64; LANES] = std::array::from_fn(|lane| (s[lane] + roots[lane]).inv());
+        let by = if self.is_even() { inside.map(|inside| inside * inside) } else { inside };
+        let [mut re, mut im, by_re, by_im]: [Lanes; 4] =
+            [inside.map(|z| z.re), inside.map(|z| z.im), by.map(|z| z.re), by.map(|z| z.im)];
         for m in 0..count {
-            each(m, unit * power.re / self.order(m) as f64);
-            power *= by;
+            let part = unit / self.order(m) as f64;
+            each(m, &re.map(|re| part * re));
+            let mut most = 0.0f64;
+            for lane in 0..LANES {
+                let real = re[lane] * by_re[lane] - im[lane] * by_im[lane];
+                im[lane] = re[lane] * by_im[lane] + im[lane] * by_re[lane];
+                re[lane] = real;
+                most = most.max(re[lane] * re[lane] + im[lane] * im[lane]);
+            }
             // far from an interval its higher terms are below rounding
-            if power.norm_sqr() < SMALLEST * SMALLEST {
+            if most < SMALLEST * SMALLEST {
                 break;
             }
         }
         for (place, side) in self.sides().iter().enumerate() {
-            let at_end = if self.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside) };
-            each(count + place, unit * (at_end / root).re);
+            let slope = |lane: usize| {
+                let at_end = if self.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside[lane]) };
+                unit * (at_end / roots[lane]).re
+            };
+            each(count + place, &std::array::from_fn(slope));
         }
     }
 
