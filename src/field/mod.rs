@@ -143,7 +143,7 @@ impl Field {
     /// # Errors
     /// [`FieldError::Outside`] if there is no layer at this depth.
     pub fn at(&self, x: f64, depth: f64) -> Result<FieldPoint, FieldError> {
-        self.at_point(Point { x, depth, layer: None })
+        Ok(self.points(&[Point { x, depth, layer: None }])?[0])
     }
 
     /// Stresses and displacements at a point of a layer, numbered from the top as written in the scene, starting at 1.
@@ -151,11 +151,7 @@ impl Field {
     /// # Errors
     /// [`FieldError::Outside`] if the layer is not there, or not at this depth.
     pub fn at_layer(&self, x: f64, depth: f64, layer: usize) -> Result<FieldPoint, FieldError> {
-        self.at_point(Point { x, depth, layer: Some(layer) })
-    }
-
-    fn at_point(&self, point: Point) -> Result<FieldPoint, FieldError> {
-        Ok(self.points(&[point])?[0])
+        Ok(self.points(&[Point { x, depth, layer: Some(layer) }])?[0])
     }
 
     /// The estimated error of the stresses at a point, in stress: the error of the pressures, and the truncation error of the sums over

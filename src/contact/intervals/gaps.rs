@@ -55,7 +55,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     let span = problem.span(&lengths.ends);
     let layout = Layout::new(problem.kernel, &lengths, negligible(FIELDS), span);
     let layout = layout.ok_or(Fault::Unknown)?;
-    let waves = self::waves(problem, level, &layout);
+    let own = Gaps::new(problem, &layout, level);
     // beyond a pressure that decays the gap is as small as the pressure
     let unknown = level.unknown();
     let decays = |contact: usize| {
@@ -64,7 +64,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     };
     for contact in problem.unknown().filter(|contact| !problem.sides[*contact].is_joined() && !decays(*contact)) {
         for beside in beside(problem, level.support.of(contact), contact, span) {
-            let gaps = gaps(problem, level, &layout, &waves, contact, &beside);
+            let gaps = own.beside(contact, &beside);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let least = gaps.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
             min_gap = min_gap.min(least.1);
@@ -72,8 +72,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
                 continue;
             }
             let coarse = level.coarse();
-            let before =
-                self::gaps(problem, &coarse, &layout, &self::waves(problem, &coarse, &layout), contact, &beside);
+            let before = Gaps::new(problem, &layout, &coarse).beside(contact, &beside);
             let known = gaps.iter().zip(before).fold(0.0, |most: f64, ((_, a), (_, b))| most.max((a - b).abs()));
             let allowed = zero * widest + SAFETY * known;
             let penetrates = |gap: f64| gap < -allowed;
@@ -177,46 +176,48 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
     all
 }
 
-/// The slopes of waves outside each contact, both parts of exp(iζx).
-fn waves(problem: &Problem, level: &Approximation, layout: &Layout) -> Vec<[Vec<f64>; 2]> {
-    let equations = Equations::new(problem, layout, &level.support, &level.counts).once();
-    let reach = |contact: usize| layout.own[contact].reach;
-    let mut all: Vec<_> = (0..problem.contacts()).map(|contact| [0, 1].map(|_| vec![0.0; reach(contact)])).collect();
-    let amplitudes = equations.told_amplitudes(&level.solved.pressures);
-    equations.responses(&[amplitudes], |[_, contact], nodes, _, response| {
-        for (part, values) in response.chunks(nodes.len().max(1)).enumerate() {
-            all[contact][part][nodes.clone()].copy_from_slice(values);
-        }
-    });
-    all
+/// The gaps that a solution leaves.
+struct Gaps<'a> {
+    equations: Equations<'a>,
+    level: &'a Approximation,
+    /// The slopes of waves outside each contact, both parts of exp(iζx).
+    waves: Vec<[Vec<f64>; 2]>,
 }
 
-/// Places from one end of a gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.
-fn gaps(
-    problem: &Problem,
-    level: &Approximation,
-    layout: &Layout,
-    waves: &[[Vec<f64>; 2]],
-    contact: usize,
-    (punch, [from, to]): &(usize, [f64; 2]),
-) -> Vec<(f64, f64)> {
-    let equations = Equations::new(problem, layout, &level.support, &level.counts);
-    let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
-    let (columns, amplitudes) = (&equations.columns[contact], equations.amplitudes(contact, &level.solved.pressures));
-    let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
-    let height = |x: f64| side.height_under(*punch, x);
-    let mut waves = Waves::new(&waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
-    let is_round = problem.twin() == Twin::Round;
-    // what pressures do on a half-plane is nothing to the transform of a gap about an axis
-    let closed = |x: f64| if is_round { 0.0 } else { limit * columns.closed(x, &amplitudes) };
-    let (at_end, unit) = (closed(*from), if is_round { PI } else { 1.0 });
-    let at = |k: usize| {
-        let t = k as f64 / PLACES as f64;
-        let x = from + (to - from) * t * t;
-        (x, height(x) - height(*from) - (closed(x) - at_end) - unit * waves.next() + rotation * (x - from))
-    };
-    let gaps: Vec<(f64, f64)> = (1..=PLACES).map(at).collect();
-    if is_round { gaps.iter().map(|(x, _)| *x).zip(abel::gaps(*from, &gaps)).collect() } else { gaps }
+impl<'a> Gaps<'a> {
+    fn new(problem: &'a Problem<'a>, layout: &'a Layout, level: &'a Approximation) -> Self {
+        let equations = Equations::new(problem, layout, &level.support, &level.counts).once();
+        let none = |contact: usize| [0, 1].map(|_| vec![0.0; layout.own[contact].reach]);
+        let mut waves: Vec<_> = (0..problem.contacts()).map(none).collect();
+        let amplitudes = equations.told_amplitudes(&level.solved.pressures);
+        equations.responses(&[amplitudes], |[_, contact], nodes, _, response| {
+            for (part, values) in response.chunks(nodes.len().max(1)).enumerate() {
+                waves[contact][part][nodes.clone()].copy_from_slice(values);
+            }
+        });
+        Self { equations, level, waves }
+    }
+
+    /// Places from one end of a gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.
+    fn beside(&self, contact: usize, (punch, [from, to]): &(usize, [f64; 2])) -> Vec<(f64, f64)> {
+        let (Equations { problem, layout, columns, .. }, level) = (&self.equations, self.level);
+        let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
+        let amplitudes = self.equations.amplitudes(contact, &level.solved.pressures);
+        let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
+        let height = |x: f64| side.height_under(*punch, x);
+        let mut waves = Waves::new(&self.waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
+        let is_round = problem.twin() == Twin::Round;
+        // what pressures do on a half-plane is nothing to the transform of a gap about an axis
+        let closed = |x: f64| if is_round { 0.0 } else { limit * columns[contact].closed(x, &amplitudes) };
+        let (at_end, unit) = (closed(*from), if is_round { PI } else { 1.0 });
+        let at = |k: usize| {
+            let t = k as f64 / PLACES as f64;
+            let x = from + (to - from) * t * t;
+            (x, height(x) - height(*from) - (closed(x) - at_end) - unit * waves.next() + rotation * (x - from))
+        };
+        let gaps: Vec<(f64, f64)> = (1..=PLACES).map(at).collect();
+        if is_round { gaps.iter().map(|(x, _)| *x).zip(abel::gaps(*from, &gaps)).collect() } else { gaps }
+    }
 }
 
 /// What waves add to a gap between its end and places at the distances d, 4d, 9d ... from there: phases of waves grow by odd multiples of ζd from place to place, and
