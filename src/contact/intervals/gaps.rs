@@ -44,11 +44,21 @@ pub(super) enum Fault {
 /// Checks the Signorini conditions on a solution with an error, relative; one with fewer terms tells how far gaps are known. Where all is even, penetration that next to
 /// no force would remove may be left.
 pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves_out: bool) -> Result<Signs, Fault> {
-    let Tension { min_pressure, tensions, ends } = pressures(problem, level)?;
+    let mut signs = pressures(problem, level)?;
     // less than an answer is wrong by counts as zero
     let zero = COARSE.max(error);
     let most = if leaves_out { COARSE } else { error };
-    let (mut min_gap, mut recontacts) = (0.0f64, Vec::new());
+    // beyond a pressure that decays the gap is as small as the pressure
+    let unknown = level.unknown();
+    let decays = |contact: usize| {
+        let mut own = level.support.0.iter().zip(&unknown).filter(|(interval, _)| interval.contact == contact);
+        own.any(|(_, ends)| ends.contains(&ENDLESS))
+    };
+    let opens = |contact: &usize| !problem.sides[*contact].is_joined() && !decays(*contact);
+    let open: Vec<usize> = problem.unknown().filter(opens).collect();
+    if open.is_empty() {
+        return Ok(signs);
+    }
     let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
     lengths.turned.iter_mut().for_each(|turned| *turned *= FARTHER);
     lengths.exponentials.iter_mut().for_each(Vec::clear);
@@ -56,18 +66,12 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     let layout = Layout::new(problem.kernel, &lengths, negligible(FIELDS), span);
     let layout = layout.ok_or(Fault::Unknown)?;
     let own = Gaps::new(problem, &layout, level);
-    // beyond a pressure that decays the gap is as small as the pressure
-    let unknown = level.unknown();
-    let decays = |contact: usize| {
-        let mut own = level.support.0.iter().zip(&unknown).filter(|(interval, _)| interval.contact == contact);
-        own.any(|(_, ends)| ends.contains(&ENDLESS))
-    };
-    for contact in problem.unknown().filter(|contact| !problem.sides[*contact].is_joined() && !decays(*contact)) {
+    for contact in open {
         for beside in beside(problem, level.support.of(contact), contact, span) {
             let gaps = own.beside(contact, &beside);
             let widest = gaps.iter().fold(0.0, |widest: f64, (_, gap)| widest.max(gap.abs()));
             let least = gaps.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or_default();
-            min_gap = min_gap.min(least.1);
+            signs.min_gap = signs.min_gap.min(least.1);
             if least.1 >= -zero * widest {
                 continue;
             }
@@ -79,7 +83,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
             if penetrates(least.1) {
                 let recontact = recontact(problem.kernel, contact, &lengths.ends, &gaps, allowed);
                 if let Some(recontact) = recontact.filter(|own| problem.is_even() && own.moment <= most) {
-                    recontacts.push(recontact);
+                    signs.recontacts.push(recontact);
                     continue;
                 }
                 let mut all: Vec<f64> = gaps.iter().filter(|(_, gap)| penetrates(*gap)).map(|(x, _)| *x).collect();
@@ -89,18 +93,11 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
             }
         }
     }
-    Ok(Signs { min_pressure, min_gap, tensions, ends, recontacts })
+    Ok(signs)
 }
 
-/// See [`Signs`].
-struct Tension {
-    min_pressure: f64,
-    tensions: Vec<f64>,
-    ends: Vec<[f64; 2]>,
-}
-
-/// Looks for tension in all intervals.
-fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault> {
+/// Looks for tension in all intervals; what is said of gaps is to be found.
+fn pressures(problem: &Problem, level: &Approximation) -> Result<Signs, Fault> {
     let count = problem.contacts();
     let mut smallest = vec![0.0f64; count];
     // about the middle, where pressures are said to be right to a part of what they are there
@@ -125,7 +122,8 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Tension, Fault>
     if smallest.iter().enumerate().any(|(contact, least)| *least < -COARSE * level.mean_pressure(contact)) {
         return Err(Fault::Tension);
     }
-    Ok(Tension { min_pressure: smallest.into_iter().fold(0.0, f64::min), tensions, ends })
+    let min_pressure = smallest.into_iter().fold(0.0, f64::min);
+    Ok(Signs { min_pressure, min_gap: 0.0, tensions, ends, recontacts: Vec::new() })
 }
 
 /// How far from the left and the right end pressures, from the right end inwards, are no larger than so much, in half-lengths; nothing at corners, or where
