@@ -176,6 +176,19 @@ fn what_is_even_but_for_rounding_is_what_another_solver_finds() {
     }
 }
 
+/// Contacts are found about the middle of all punches, and moved from there: a rounding of that place is no distance from the tip.
+#[test]
+fn under_a_tip_at_the_origin_the_pressure_is_infinite() {
+    for model in &stacks() {
+        for at in [0.31, 0.713, 0.157, 2.9, 17.3] {
+            let solution = press(model, &[wedge(0.0, 0.2, 1e-3, Tilt::None), wedge(at, 0.1, 1e-3, Tilt::None)]);
+            let contact = &solution.contacts()[0];
+            assert!(contact.central_pressure.is_infinite(), "{at}: {}", contact.central_pressure);
+            assert!(contact.pressure(1e-9 * at).is_finite());
+        }
+    }
+}
+
 #[test]
 fn all_that_commands_do_with_wedges_goes_through() {
     let text = "Scene(geometry: PlaneStrain, punches: [(shape: Wedge(slope: 0.02, left: 0.03), at: -1.0, force: 0.004),

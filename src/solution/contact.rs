@@ -174,7 +174,14 @@ impl Contact {
     fn on(self, length: f64, by: f64, pressure: f64) -> Self {
         let end = |x: f64, error: f64| [x * length + by, error * length];
         let interval = |own: &Interval| Interval::new(end(own.left, own.left_error), end(own.right, own.right_error));
-        let strip = |strip: Strip| Strip { at: strip.at * length + by, ..strip.scaled(length, pressure) };
+        let strip = |strip: Strip| {
+            let mut strip = Strip { at: strip.at * length + by, ..strip.scaled(length, pressure) };
+            // of a tip at x = 0 the place from which x was counted leaves its rounding
+            if strip.tip != 0.0 && strip.tip_place().abs() <= 4.0 * f64::EPSILON * by.abs() {
+                strip.tip_at = -strip.at / strip.extent;
+            }
+            strip
+        };
         let (intervals, about) = (self.intervals.iter().map(interval).collect(), self.about.map(|x| x * length + by));
         let strips = self.strips.into_iter().map(strip).collect();
         let middle_pressure = self.middle_pressure.map(|own| own * pressure);

@@ -43,8 +43,8 @@ pub(super) struct Equations<'a> {
     short_waves: Vec<OnceCell<Option<Vec<ShortWaves>>>>,
     slopes: Vec<OnceCell<Vec<f64>>>,
     pub(super) sunk: OnceCell<Sunk>,
-    /// How many numbers of columns are kept at most.
-    keeps: usize,
+    /// How many numbers of columns are kept at most: none of columns that are used once.
+    pub(super) keeps: usize,
     /// Where unknowns and rows stand, of each contact.
     pub(super) places: Vec<Places>,
 }
@@ -186,11 +186,6 @@ impl<'a> Equations<'a> {
         };
         all.places = all.placed();
         all
-    }
-
-    /// The same for use once: no columns are kept.
-    pub(super) fn once(self) -> Self {
-        Self { keeps: 0, ..self }
     }
 
     /// The contacts whose pressures the unknowns of a contact are part of, from the uppermost one of which they are counted.

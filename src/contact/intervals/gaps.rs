@@ -184,7 +184,8 @@ struct Gaps<'a> {
 
 impl<'a> Gaps<'a> {
     fn new(problem: &'a Problem<'a>, layout: &'a Layout, level: &'a Approximation) -> Self {
-        let equations = Equations::new(problem, layout, &level.support, &level.counts).once();
+        let mut equations = Equations::new(problem, layout, &level.support, &level.counts);
+        equations.keeps = 0;
         let none = |contact: usize| [0, 1].map(|_| vec![0.0; layout.own[contact].reach]);
         let mut waves: Vec<_> = (0..problem.contacts()).map(none).collect();
         let amplitudes = equations.told_amplitudes(&level.solved.pressures);
