@@ -13,16 +13,17 @@
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
+use num_complex::Complex64;
+
 use crate::contact::{self, ContactError};
-use crate::field::{ContactPressure, Field, FieldError};
+use crate::field::{ContactPressure, FieldError};
 use crate::kernel::Kernel;
+use crate::numeric::largest;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Pressed, Punch, Punches, Top};
 use crate::solution::{Contact, Solution};
 use crate::stack::Stack;
 
-/// Displacements are looked at so far from the middle of a contact under one of several punches, in half-lengths.
-const PLACE: f64 = 0.3;
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
 /// Relative error of a sum over wavenumbers.
@@ -98,14 +99,14 @@ impl ApproachError {
     pub fn hint(&self) -> String {
         match self {
             Self::Field(cause) => cause.hint().unwrap_or_default(),
-            Self::Punches => "prescribe the force of each punch".to_owned(),
-            _ => "prescribe `force`, or `half_length` of the contact under a punch".to_owned(),
+            Self::Punches => "prescribe the force or the `depth` of each punch in its list".to_owned(),
+            _ => "prescribe `force`, or where the contact under a punch ends: `half_length`, or in a list `left` or `right`".to_owned(),
         }
     }
 }
 
 /// The punches, if approaches are defined on a stack.
-fn punches<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punches, ApproachError> {
+pub(crate) fn punches<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punches, ApproachError> {
     let punches = top.punches().ok_or(ApproachError::Load)?;
     // displacements vanish far from a force that does not act on a whole line
     if stack.geometry().is_axisymmetric() {
@@ -130,55 +131,34 @@ pub(crate) fn of_each(
     kernel: &Kernel,
     solution: &Solution,
 ) -> Vec<Result<Approach, ApproachError>> {
-    let one = approach(top, stack, kernel, solution);
     match punches(top, stack) {
-        Ok(punches) if one == Err(ApproachError::Punches) => {
-            let all = several(punches, stack, solution).map(|all| all.into_iter().map(Ok).collect());
-            all.unwrap_or_else(|error| vec![Err(error.into())])
-        }
-        _ => vec![one],
+        Ok(punches) => (0..punches.parts().count()).map(|number| of_one(top, number, kernel, solution)).collect(),
+        Err(error) => vec![Err(error)],
     }
 }
 
-/// How far the tip of each punch has moved down since the punch, not turned, touched the top face with its lowest point, from two places at which it touches
-/// the face.
-fn several(punches: &Punches, stack: &Stack, solution: &Solution) -> Result<Vec<Approach>, FieldError> {
-    let relative = ROUNDING + relative_error(solution, true);
-    let touching = |contact: &Contact| {
-        let widest = contact.intervals().iter().max_by(|a, b| a.force.total_cmp(&b.force)).copied().unwrap_or_default();
-        [-PLACE, PLACE].map(|part| 0.5 * ((1.0 - part) * widest.left + (1.0 + part) * widest.right))
-    };
-    let contacts = solution.contacts().first().map(Contact::of_each_punch).unwrap_or_default();
-    let places: Vec<[f64; 2]> = contacts.iter().map(touching).collect();
-    // one sum for all
-    let moved = Field::new(stack, solution).grid(&places.concat(), &[0.0])?;
-    let of = |(k, ((pressed, _), places)): (usize, ((&Pressed, f64), &[f64; 2]))| {
-        let tilt = solution.punches().get(k).map_or(0.0, |carried| carried.tilt);
-        let lowest = pressed.shape().shape().lowest();
-        let [left, right] = [0, 1].map(|side| {
-            let from_tip = places[side] - pressed.at();
-            pressed.shape().profile(from_tip) - lowest + tilt * from_tip - moved.points()[2 * k + side].v
-        });
-        let (value, error) = (0.5 * (left + right), (left - right).abs());
-        Approach { value, error: SAFETY * (error + relative * value.abs()), stiffness: Stiffness::NotComputed }
-    };
-    Ok(punches.parts().zip(&places).enumerate().map(of).collect())
-}
-
-/// The approach and the stiffness.
+/// The approach and the stiffness of the punch, if there is no other one.
 pub(crate) fn approach(
     top: &Top,
     stack: &Stack,
     kernel: &Kernel,
     solution: &Solution,
 ) -> Result<Approach, ApproachError> {
-    let punch = defined(top, stack)?;
-    let lowest = punch.shape().lowest();
-    let [value, second] = sunk(|x| punch.profile(x) - lowest, punch, kernel, solution);
+    defined(top, stack)?;
+    of_one(top, 0, kernel, solution)
+}
+
+/// How far the tip of the punch of this number has moved down since the punch, not turned, touched the top face with its lowest point; and the stiffness if it is even and alone.
+fn of_one(top: &Top, number: usize, kernel: &Kernel, solution: &Solution) -> Result<Approach, ApproachError> {
+    let punch = top.punches().and_then(|punches| punches.parts().nth(number));
+    let (pressed, _) = punch.ok_or(ApproachError::Load)?;
+    let material = top.material();
+    let kernel = material.map_or(Cow::Borrowed(kernel), |material| Cow::Owned(kernel.under_half_plane(&material)));
+    let [value, second] = sunk(Some(pressed), number, &kernel, solution);
     let relative = ROUNDING + relative_error(solution, true);
     let error = SAFETY * ((value - second).abs() + relative * value.abs());
-    let stiffness = match contact::tangent(kernel, top, solution) {
-        Some(Ok(tangent)) => stiffness(punch, kernel, solution, &tangent),
+    let stiffness = match top.even_punch().and_then(|_| contact::tangent(&kernel, top, solution)) {
+        Some(Ok(tangent)) => stiffness(&kernel, solution, &tangent),
         Some(Err(ContactError::Unresolved(cause))) => return Err(FieldError::Unresolved(cause).into()),
         Some(Err(_)) | None => Stiffness::NotComputed,
     };
@@ -186,8 +166,8 @@ pub(crate) fn approach(
 }
 
 /// The stiffness from the pressures that a unit force adds.
-fn stiffness(punch: &Punch, kernel: &Kernel, solution: &Solution, tangent: &Solution) -> Stiffness {
-    let [compliance, second] = sunk(|_| 0.0, punch, kernel, tangent);
+fn stiffness(kernel: &Kernel, solution: &Solution, tangent: &Solution) -> Stiffness {
+    let [compliance, second] = sunk(None, 0, kernel, tangent);
     let contacts = solution.contacts().iter().zip(tangent.contacts()).enumerate();
     // an end that moves by da changes the compliance by 2πa q²/E* da, with the singular pressure q/√(1 − x²/a²): the energy release
     // rate of a crack that closes
@@ -214,36 +194,60 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
     solution.contacts().iter().map(of).filter(|error| error.is_finite()).sum::<f64>()
 }
 
-/// How far a punch has sunk into the top face, twice: with two means over the middle of each contact. They differ by the errors of the
+/// How far a punch, or a flat one, has sunk into the top face, twice: with two means over the middle of each contact. They differ by the errors of the
 /// pressures.
-fn sunk(profile: impl Fn(f64) -> f64, punch: &Punch, kernel: &Kernel, solution: &Solution) -> [f64; 2] {
-    let kernel =
-        punch.material().map_or(Cow::Borrowed(kernel), |material| Cow::Owned(kernel.under_half_plane(&material)));
-    // places count from the tip, in units of L
-    let (tip, length) = (solution.about().unwrap_or(0.0), kernel.length());
-    let window = |contact: &Contact| {
-        let [middle, _] = contact.touching();
-        MeanWindow { middle: (middle - tip) / length, half: (contact.innermost().right - middle) / length }
+fn sunk(punch: Option<&Pressed>, number: usize, kernel: &Kernel, solution: &Solution) -> [f64; 2] {
+    let (length, is_round) = (kernel.length(), kernel.geometry().is_axisymmetric());
+    let touching = |(i, contact): (usize, &Contact)| -> Vec<[f64; 2]> {
+        if contact.about.is_some() {
+            let [middle, right] = [contact.touching()[0], contact.innermost().right];
+            return vec![[2.0 * middle - right, right]];
+        }
+        let of_punch = (i == 0).then(|| contact.of_each_punch().into_iter().nth(number)).flatten();
+        of_punch.as_ref().unwrap_or(contact).intervals().iter().map(|own| [own.left, own.right]).collect()
     };
-    let mut windows: Vec<MeanWindow> = solution.contacts().iter().map(window).collect();
-    MeanWindow::equalise(&mut windows);
-    let ends: Vec<f64> = solution.contacts().iter().map(|contact| contact.half_span() / length).collect();
-    let is_round = kernel.geometry().is_axisymmetric();
-    let starts: Vec<f64> = punch.shape().starts().iter().map(|start| start / length).collect();
-    let mut sunk = windows.first().map_or([0.0; 2], |top| top.of_profile(is_round, |x| profile(x * length), &starts));
+    let all = || solution.contacts().iter();
+    let mut windows = MeanWindow::on_contacts(&all().enumerate().map(touching).collect::<Vec<_>>());
+    let (middle, is_even) = (windows.first().map_or(0.0, |window| window.middle), solution.about().is_some());
+    // layers between two windows at different places turn
+    let turned = windows.windows(2).zip(solution.rotations());
+    let turned: f64 = turned.map(|(pair, angle)| angle * (pair[0].middle - pair[1].middle)).sum();
+    // places count from where all is even, or from the middle of the window under the punch, in units of L
+    let from = solution.about().unwrap_or(middle);
+    for window in &mut windows {
+        *window = MeanWindow { middle: (window.middle - from) / length, half: window.half / length };
+    }
+    let end = |contact: &Contact| largest(contact.ends().map(|end| (end - from).abs() / length));
+    let ends: Vec<f64> = all().map(end).collect();
+    let [first, second] = punch.zip(windows.first()).map_or([0.0; 2], |(pressed, window)| {
+        let shape = pressed.shape().shape();
+        let mut starts = shape.starts();
+        // powers are not smooth at the tip
+        starts.push(0.0);
+        let starts: Vec<f64> = starts.iter().map(|start| (start + pressed.at() - from) / length).collect();
+        let (lowest, tilt) = (shape.lowest(), solution.punches().get(number).map_or(0.0, |carried| carried.tilt));
+        let height = |x: f64| {
+            let from_tip = x * length + from - pressed.at();
+            pressed.shape().profile(from_tip) - lowest + tilt * from_tip
+        };
+        window.of_profile(is_round, height, &starts)
+    });
+    let mut sunk = [first - turned, second - turned];
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
-    let pressure = |contact| ContactPressure::new(contact, true, tip);
-    let pressures: Vec<ContactPressure> = solution.contacts().iter().map(pressure).collect();
+    let pressures: Vec<ContactPressure> = all().map(|contact| ContactPressure::new(contact, is_even, from)).collect();
     kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {
         let wavenumbers: Vec<f64> = own.zeta.iter().map(|zeta| zeta / length).collect();
         let pressure = &pressures[own.contact];
-        let transforms = pressure.transforms(&wavenumbers).into_iter();
-        let variations: Vec<f64> = transforms.map(|transform| transform.variation.re).collect();
+        let variations: Vec<Complex64> =
+            pressure.transforms(&wavenumbers).into_iter().map(|transform| transform.variation).collect();
         for (mean, sunk) in sunk.iter_mut().enumerate() {
-            let weights = own.all[mean].iter().zip(&own.resultant[mean]).zip(own.zeta);
-            let of =
-                |(((all, of), zeta), own): (((&f64, &f64), &f64), &f64)| zeta * (all * own + of * pressure.resultant());
-            *sunk += weights.zip(&variations).map(of).sum::<f64>() / unit;
+            let of = |k: usize| {
+                let even = own.all[mean][k] * variations[k].re + own.resultant[mean][k] * pressure.resultant();
+                let moment = pressure.long_waves(wavenumbers[k]).im;
+                let odd = own.odd[mean][k] * variations[k].im + own.moment[mean][k] * moment;
+                own.zeta[k] * if is_even { even } else { even + odd }
+            };
+            *sunk += (0..wavenumbers.len()).map(of).sum::<f64>() / unit;
         }
     });
     sunk

@@ -9,7 +9,7 @@ use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
-use crate::scene::{Force, Scene, Top};
+use crate::scene::{Force, Pressed, Scene, Top};
 use crate::solution::{Interface, Ledger, OwnerKey, Solution};
 use crate::stack::Stack;
 
@@ -102,8 +102,13 @@ impl Model {
         asked.is_solvable()?;
         // given loads alone ask for no contact
         let is_known = top.loads().is_some() && self.kernel.contacts() == 1;
-        if let Force::ForDepth(_) = force {
-            approach::defined(top, &self.stack)?;
+        let sinks = |(pressed, _): (&Pressed, f64)| matches!(pressed.pressed_by(), Force::ForDepth(_));
+        match force {
+            Force::ForDepth(_) => approach::defined(top, &self.stack).map(|_| ())?,
+            Force::OfEach if top.punches().is_some_and(|punches| punches.parts().any(sinks)) => {
+                approach::punches(top, &self.stack).map(|_| ())?;
+            }
+            _ => {}
         }
         let press = |tolerance: f64, force: Force| contact::press(&Asked { tolerance, ..asked }, force);
         Ok(match self.curves.as_ref().filter(|_| !is_known) {

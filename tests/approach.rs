@@ -228,3 +228,23 @@ fn a_scene_has_a_depth_where_one_is_defined() {
     let refused = recede::solve(&wide.unwrap()).unwrap_err();
     assert!(refused.is_input() && refused.to_string().contains("approach"), "{refused}");
 }
+
+#[test]
+fn a_punch_that_may_turn_sinks_as_far_as_one_that_has_no_reason_to() {
+    for stack in STACKS {
+        for punch in PUNCHES {
+            let even = scene(punch, 0.01, stack);
+            let shape = punch.trim_start_matches("punch: ");
+            let free = format!("(shape: {shape}, at: 0, force: 0.01, tilt: Free(eccentricity: 0))");
+            let free = Scene::from_ron(&format!("Scene(geometry: PlaneStrain, punches: [{free}], stack: [{stack}])"));
+            let free = free.unwrap();
+            let expected = approach(&even);
+            let model = Model::new(free.stack().unwrap()).unwrap();
+            let found = model.approaches(&free.top, &model.press(&free.top, free.force).unwrap());
+            let found = found[0].clone().unwrap();
+            let off = (found.value - expected.value).abs();
+            assert!(off <= found.error + expected.error, "{found:?} {expected:?} {punch} {stack}");
+            assert!(off < 5e-11 * expected.value, "{found:?} {expected:?} {punch} {stack}");
+        }
+    }
+}

@@ -207,7 +207,7 @@ MADE: dict[str, Callable[[Any], Any]] = {
     "units": lambda units: Units(**units),
     "punch": lambda punch: named(Punch, punch),
     "punches": lambda punches: tuple(
-        Pressed(named(Punch, one["shape"]), one["at"], one["force"], named(Tilt, one["tilt"]) if "tilt" in one else None) for one in punches
+        Pressed(**one | {"shape": named(Punch, one["shape"]), "tilt": named(Tilt, one["tilt"]) if "tilt" in one else None}) for one in punches
     ),
     "load": lambda load: named(Load, load),
     "loads": lambda loads: tuple(PlacedLoad(named(Load, one["load"]), one["at"], one["force"]) for one in loads),

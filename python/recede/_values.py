@@ -52,12 +52,18 @@ class Pressed(NamedTuple):
         at: where its tip is on x, in length.
         force: the force on it, per unit length out of the plane.
         tilt: None if it cannot turn, `Fixed(angle)` if it is turned by a small angle, `Free(eccentricity=...)` if it turns freely.
+        depth: in place of the force: how far it sinks, in length.
+        left: in place of the force: where its contact begins on x, in length.
+        right: in place of the force: where its contact ends on x, in length.
     """
 
     shape: Written
     at: Number
-    force: Number
+    force: Number | None = None
     tilt: Written | None = None
+    depth: Number | None = None
+    left: Number | None = None
+    right: Number | None = None
 
 
 class Written:

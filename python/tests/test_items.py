@@ -351,6 +351,11 @@ def test_several_punches_have_places_forces_and_tilts():
         assert wheel.tilt == 0.0 and turned.tilt != 0.0 and turned.moment == pytest.approx(0.1 * 0.001, rel=1e-10)
         # over a half-plane no approach is defined, and nothing is loose
         assert wheel.approach is turned.approach_error is None and solution.rotations == []
+    # where its contact ends in place of the force
+    begins = solution.contacts[0].intervals[0].left
+    found = Scene(stack, punches=[recede.Pressed(roller, at=0.0, left=begins), pressed[1]])
+    assert found.punches[0] == recede.Pressed(roller, 0.0, left=begins) and found == pickle.loads(pickle.dumps(found))
+    assert found.solve().carried[0].force == pytest.approx(0.002, rel=1e-9)
     wedge = Scene(stack, punches=[*pressed[:1], (recede.Wedge(slope=0.1), 3.0, 0.001)]).solve()
     assert wedge.contacts[0].peak_pressure == float("inf") and wedge.contacts[0].peak_at == pytest.approx(3.0)
     (turned,) = Scene(stack, punches=[(block, 0.0, 0.001, fixed)]).punches
@@ -361,6 +366,7 @@ def test_several_punches_have_places_forces_and_tilts():
     assert Scene(stack, punches=[(block, 1.0, 0.001, recede.Fixed("45 deg"))]).number("punches[1].tilt") == np.pi / 4
     for make, message in [
         (lambda: Scene(stack, force=1.0, punches=pressed), "`punches` and `force`"),
+        (lambda: Scene(stack, punches=[recede.Pressed(roller, 0.0)]), "0 of `force`, `depth`, `left` and `right` are given"),
         (lambda: recede.Free(eccentricity=float("inf")), r"^`Free.eccentricity`: found inf"),
         (lambda: recede.Fixed(float("nan")), r"^`Fixed`: found NaN|^`Fixed.*: found NaN"),
         (lambda: Scene(stack, punches=[(block, 0.0, 0.001, recede.Free(eccentricity=0.5))]), "eccentricity of punch 1 is 0.5"),

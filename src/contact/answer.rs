@@ -1,7 +1,7 @@
 //! What was found of all contacts, in units of L and P', and the one assembly of a solution, in the units of the scene.
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
-use crate::contact::problem::{Prescribed, Problem, Side};
+use crate::contact::problem::{Problem, Side};
 use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Warning};
 use crate::validity;
 
@@ -71,7 +71,7 @@ impl Answer {
             stack: stack.cloned(),
             force,
             force_error,
-            controlled: problem.prescribed.map(Prescribed::controlled),
+            controlled: problem.prescribed.first().map(|(_, prescribed)| prescribed.controlled()),
             min_pressure: self.min_pressure * unit,
             min_gap: self.min_gap * problem.force * length,
             stats: self.stats,

@@ -20,8 +20,10 @@ pub enum ContactError {
         /// The geometry.
         geometry: Geometry,
     },
-    /// A half-length or a depth of a punch that is not symmetric, or of several.
-    #[error("the punch is not symmetric about its tip, or is one of several: only forces can be prescribed")]
+    /// A half-length or a depth of a punch that is not symmetric, or of several, or a force of several of which something else is prescribed.
+    #[error(
+        "the punch is not symmetric about its tip, or is one of several: what is prescribed stands beside it in the list of punches"
+    )]
     UnevenPunch,
     /// A punch that is turned so far that one of its sides falls from the tip on, without end.
     #[error(
@@ -70,7 +72,10 @@ impl ContactError {
                 }
                 .to_owned(),
             ),
-            Self::UnevenPunch => Some("prescribe `force`".to_owned()),
+            Self::UnevenPunch => Some(
+                "write it as one of `punches: [(shape: ..., at: ..., force: ...), ...]`, with `force`, `depth`, `left` or `right`"
+                    .to_owned(),
+            ),
             Self::PunchFalls { .. } => Some("turn it less, or let it turn by its force: `Free(eccentricity: ...)`".to_owned()),
             Self::Unresolved(cause) => Some(cause.hint()),
             Self::NoSolution(cause) => cause.hint(),
@@ -156,7 +161,7 @@ impl NoSolution {
             Self::Unreachable { controlled: Controlled::Approach, .. } => {
                 "prescribe a smaller approach, or make the punch wider"
             }
-            Self::Unreachable { controlled: Controlled::HalfLength, .. } => {
+            Self::Unreachable { .. } => {
                 "a contact is wider than the flat part of its punch and narrower than the punch: prescribe one that is reached, or the force"
             }
             Self::ForceNotFound { .. } => {

@@ -83,7 +83,7 @@ impl Curve {
     ) -> Option<Solution> {
         // a force grows about as the square of a half-length
         let apart = if let Force::ForHalfLength(_) = force { 0.5 * APART } else { APART };
-        let place = force.number().ln() / apart;
+        let place = force.number()?.ln() / apart;
         let first = place.floor() as i64 - (POINTS / 2 - 1) as i64;
         let slots: Vec<Arc<OnceLock<Option<Solution>>>> = {
             let mut points = self.points.lock().unwrap_or_else(PoisonError::into_inner);

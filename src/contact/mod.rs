@@ -45,6 +45,7 @@ pub(crate) struct Asked<'a> {
 /// Presses a punch or loads on a stack with a force, or so that the contact is as long, or the punch sinks as far, as prescribed: the answer in the units of the scene.
 pub(crate) fn press(asked: &Asked, force: Force) -> Result<Solution, ContactError> {
     let drive = Drive::new(asked.top, &asked.kernel_with_punch(), force)?;
+    let asked = &Asked { top: &drive.top, ..*asked };
     let own = &*asked.kernel_under(drive.force);
     let problem = drive.of(asked.problem(own, drive.force));
     let answer = if problem.unknown().next().is_none() { Ok(Answer::known(&problem)) } else { solve(&problem) };
@@ -64,13 +65,19 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
 
 /// The contact equations of a solution in words, see [`intervals::ledger`].
 pub(crate) fn ledger(asked: &Asked, solution: &Solution) -> Option<Ledger> {
+    let forces = solution.punches.iter().map(|carried| carried.force).chain([solution.force]);
+    let top = asked.top.punches().map_or_else(|| asked.top.clone(), |punches| punches.with_forces(forces).into());
+    let asked = &Asked { top: &top, ..*asked };
     let own = &*asked.kernel_under(solution.force());
     let half_length = || (solution.contacts[0].innermost().right - solution.about().unwrap_or(0.0)) / own.length();
-    let prescribed = solution.controlled.map(|controlled| match controlled {
-        Controlled::HalfLength => Prescribed::HalfLength(half_length()),
-        Controlled::Approach => Prescribed::Depth(0.0),
-    });
-    intervals::ledger(&Problem { prescribed, ..asked.problem(own, solution.force()) }, solution)
+    let mut problem = asked.problem(own, solution.force());
+    if problem.prescribed.is_empty() {
+        problem.prescribed.extend(solution.controlled.map(|controlled| match controlled {
+            Controlled::HalfLength => (0, Prescribed::End { side: 1.0, at: half_length() }),
+            _ => (0, Prescribed::Depth(0.0)),
+        }));
+    }
+    intervals::ledger(&problem, solution)
 }
 
 impl Asked<'_> {

@@ -193,7 +193,7 @@ impl<'a> Thin<'a> {
             let [middle, error] = &mut contact.middle_pressure;
             *error += self.error * middle.abs();
         }
-        if problem.prescribed.is_some() {
+        if !problem.prescribed.is_empty() {
             answer.force[1] += self.error * answer.force[0];
         }
         answer.warnings.extend(self.contacts.iter().map(|(contact, error)| {

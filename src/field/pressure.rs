@@ -129,7 +129,7 @@ impl ContactPressure {
     }
 
     /// The transform of long waves, P + iλM with the resultant and the moment.
-    pub(super) fn long_waves(&self, wavenumber: f64) -> Complex64 {
+    pub(crate) fn long_waves(&self, wavenumber: f64) -> Complex64 {
         let resultant = self.strips().map(|strip| self.images(strip) * strip.long_waves()).sum();
         let moment = self.strips().map(|strip| strip.at * strip.long_waves() + strip.moment()).sum::<f64>();
         Complex64::new(resultant, wavenumber * moment)

@@ -18,6 +18,9 @@ pub(crate) struct DepthWaves<'a> {
     pub(crate) all: Vec<Vec<f64>>,
     /// The same of ζ times the resultant, which all contacts have in common.
     pub(crate) resultant: Vec<Vec<f64>>,
+    /// The same of the odd transform less the moment, and of the moment, where nothing is even.
+    pub(crate) odd: Vec<Vec<f64>>,
+    pub(crate) moment: Vec<Vec<f64>>,
 }
 
 impl Kernel {
@@ -71,7 +74,7 @@ impl Kernel {
         let is_round = self.geometry().is_axisymmetric();
         let measure = |wave: f64| if is_round { wave.recip() } else { (PI * wave * wave).recip() };
         let measures: Vec<f64> = zeta.iter().zip(weights).map(|(wave, weight)| weight * measure(*wave)).collect();
-        let mut means: Vec<Vec<[f64; 2]>> = Vec::with_capacity(windows.len());
+        let mut means: Vec<Vec<[[f64; 2]; 2]>> = Vec::with_capacity(windows.len());
         for (contact, window) in windows.iter().enumerate() {
             let above = contact.checked_sub(1).filter(|above| windows[*above] == *window);
             means.push(above.map_or_else(|| window.of_waves(is_round, zeta), |above| means[above].clone()));
@@ -80,25 +83,30 @@ impl Kernel {
         let nodes = || 0..zeta.len();
         for contact in counted.iter().copied() {
             let (own, common, kernel) = (&means[contact], &means[widest], values.equal_pressure(contact));
-            let all = (0..count).map(|mean| {
-                let equal = |k: usize| kernel[k] * (1.0 + own[k][mean]);
-                // neighbours carry the same resultants, which do nothing between them
-                let bent = |k: usize| {
-                    let of = |(other, laminate): (usize, usize)| {
-                        values.coupling(laminate)[k] * (means[other][k][mean] - own[k][mean])
-                    };
-                    self.neighbours(contact).map(of).sum::<f64>()
+            // neighbours carry the same resultants and moments, which do nothing between them
+            let bent = |k: usize, part: usize, mean: usize| {
+                let of = |(other, laminate): (usize, usize)| {
+                    values.coupling(laminate)[k] * (means[other][k][part][mean] - own[k][part][mean])
                 };
-                nodes().map(|k| measures[k] * (equal(k) + bent(k))).collect::<Vec<f64>>()
+                self.neighbours(contact).map(of).sum::<f64>()
+            };
+            let all = (0..count).map(|mean| {
+                let equal = |k: usize| kernel[k] * (1.0 + own[k][0][mean]);
+                nodes().map(|k| measures[k] * (equal(k) + bent(k, 0, mean))).collect::<Vec<f64>>()
+            });
+            let moment = (0..count).map(|mean| nodes().map(|k| measures[k] * kernel[k] * own[k][1][mean]).collect());
+            let odd = (0..count).map(|mean| {
+                nodes().map(|k| measures[k] * (kernel[k] * own[k][1][mean] + bent(k, 1, mean))).collect::<Vec<f64>>()
             });
             let resultant = (0..count).map(|mean| {
                 // as far as the means are the same, equal resultants of all contacts do nothing but squeeze
                 let squeezed =
-                    |k: usize| if contact == widest { values.squeezed()[k] * (1.0 + common[k][mean]) } else { 0.0 };
-                let differ = |k: usize| kernel[k] * (own[k][mean] - common[k][mean]);
+                    |k: usize| if contact == widest { values.squeezed()[k] * (1.0 + common[k][0][mean]) } else { 0.0 };
+                let differ = |k: usize| kernel[k] * (own[k][0][mean] - common[k][0][mean]);
                 nodes().map(|k| measures[k] * (differ(k) + squeezed(k))).collect::<Vec<f64>>()
             });
-            each(&DepthWaves { contact, zeta, all: all.collect(), resultant: resultant.collect() });
+            let (all, resultant, odd, moment) = (all.collect(), resultant.collect(), odd.collect(), moment.collect());
+            each(&DepthWaves { contact, zeta, all, resultant, odd, moment });
         }
     }
 

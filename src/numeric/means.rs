@@ -35,8 +35,8 @@ impl MeanWindow {
         2.0 * (largest / negligible).powf((order + 0.5).recip()) / self.half
     }
 
-    /// The means of waves less 1, with the weights (1 − t²)ⁿ and with t² times these.
-    pub(crate) fn of_waves(&self, is_round: bool, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
+    /// The means of waves exp(iλx), with the weights (1 − t²)ⁿ and with t² times these: real parts less 1, and imaginary parts.
+    pub(crate) fn of_waves(&self, is_round: bool, wavenumbers: &[f64]) -> Vec<[[f64; 2]; 2]> {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half).collect();
         let (count, first) = (arguments.len(), if is_round { FLAT + 1 } else { FLAT });
         let mut table = vec![0.0; (first + 2) * count];
@@ -58,23 +58,22 @@ impl MeanWindow {
             let [mean, next] = [0, 1].map(|more| less_one(i, first + more, *z));
             let means = [mean, share * mean - (share - 1.0) * next];
             if self.middle == 0.0 {
-                return means;
+                return [means, [0.0; 2]];
             }
-            // cos λx about another middle
-            let sin = (0.5 * wavenumber * self.middle).sin();
-            means.map(|mean| mean - 2.0 * sin * sin * (1.0 + mean))
+            // about another middle
+            let (sin, cos) = (0.5 * wavenumber * self.middle).sin_cos();
+            [means.map(|mean| mean - 2.0 * sin * sin * (1.0 + mean)), means.map(|mean| 2.0 * sin * cos * (1.0 + mean))]
         };
         arguments.iter().zip(wavenumbers).enumerate().map(of).collect()
     }
 
     /// The means of a profile with both weights; its pieces begin at these places.
     pub(crate) fn of_profile(&self, is_round: bool, profile: impl Fn(f64) -> f64, starts: &[f64]) -> [f64; 2] {
-        // the other half of an interval about x = 0 is its mirror image
-        let first = if self.middle == 0.0 { 0.0 } else { -1.0 };
+        let first = if is_round { 0.0 } else { -1.0 };
         let mut ends: Vec<f64> = starts.iter().map(|start| (start - self.middle) / self.half).collect();
         ends.retain(|t| *t > first && *t < 1.0);
-        ends.insert(0, first);
-        ends.push(1.0);
+        ends.extend([first, 1.0]);
+        ends.sort_by(f64::total_cmp);
         let [mut sums, mut weights] = [[0.0; 2]; 2];
         for (t, weight) in ends.windows(2).flat_map(|pair| quadrature::rule(NODES).on(pair[0], pair[1])) {
             let x = self.middle + self.half * t;
@@ -88,8 +87,28 @@ impl MeanWindow {
         [sums[0] / weights[0], sums[1] / weights[1]]
     }
 
-    /// Makes windows of neighbouring contacts that are nearly the same the same.
-    pub(crate) fn equalise(windows: &mut [Self]) {
+    /// Windows on contacts from the top down that touch between these ends: about the middle of the widest interval, or as far as the bodies touch about the same place as above.
+    /// Those of neighbours that are nearly the same are made the same.
+    pub(crate) fn on_contacts(contacts: &[Vec<[f64; 2]>]) -> Vec<Self> {
+        let mut windows: Vec<Self> = Vec::with_capacity(contacts.len());
+        for intervals in contacts {
+            let about = windows.last().map(|above| above.middle);
+            let touches = |own: &&[f64; 2]| about.is_some_and(|x| own[0] < x && x < own[1]);
+            let widest = || intervals.iter().max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+            let window = match (intervals.iter().find(touches), about) {
+                (Some(own), Some(middle)) => Self { middle, half: (own[1] - middle).min(middle - own[0]) },
+                _ => {
+                    let [left, right] = *widest().unwrap_or(&[-1.0, 1.0]);
+                    Self { middle: 0.5 * (left + right), half: 0.5 * (right - left) }
+                }
+            };
+            windows.push(window);
+        }
+        Self::equalise(&mut windows);
+        windows
+    }
+
+    fn equalise(windows: &mut [Self]) {
         for alike in windows.chunk_by_mut(|a, b| a.middle == b.middle && (a.half / b.half).log2().abs() < ALIKE) {
             let least = alike.iter().fold(f64::INFINITY, |least, window| least.min(window.half));
             alike.iter_mut().for_each(|window| window.half = least);
@@ -120,7 +139,7 @@ mod tests {
                         weights[k] += weight;
                     }
                 }
-                let means = window.of_waves(is_round, &[wavenumber])[0];
+                let [means, _] = window.of_waves(is_round, &[wavenumber])[0];
                 for (k, mean) in means.into_iter().enumerate() {
                     let expected = integrals[k] / weights[k];
                     assert!((mean - expected).abs() < 1e-13, "{is_round} {wavenumber} {k}: {mean} {expected}");

@@ -3,9 +3,9 @@ use std::fmt;
 
 use super::value::ValueError;
 use crate::geometry::Geometry;
-use recede_layers::Positive;
+use recede_layers::{Finite, Positive};
 
-/// The line load P that presses: force per unit length out of plane, or the contact that it has to bring about.
+/// The line load P that presses: force per unit length out of plane, or what it has to bring about.
 ///
 /// ```
 /// use recede::{Force, HalfPlane, Model, Plane, Punch, Stack};
@@ -25,6 +25,12 @@ pub enum Force {
     /// The force that makes the punch sink so far: its approach > 0, in length, see [`Model::approach`](crate::Model::approach); in a scene
     /// `depth: ...`.
     ForDepth(f64),
+    /// Of one of several punches, the force for which its contact begins at this place on x, or ends there: `left: ...` and `right: ...`.
+    ForLeft(f64),
+    /// See [`Self::ForLeft`].
+    ForRight(f64),
+    /// What stands beside each of several punches, or loads: in a scene, where the force of a punch is to be found.
+    OfEach,
 }
 
 impl From<f64> for Force {
@@ -40,11 +46,14 @@ impl Force {
     }
 
     /// The name of the field of a scene that says it, and its number.
-    fn parts(self) -> (&'static str, f64) {
+    fn parts(self) -> (&'static str, Option<f64>) {
         match self {
-            Self::Given(number) => ("force", number),
-            Self::ForHalfLength(number) => ("half_length", number),
-            Self::ForDepth(number) => ("depth", number),
+            Self::Given(number) => ("force", Some(number)),
+            Self::ForHalfLength(number) => ("half_length", Some(number)),
+            Self::ForDepth(number) => ("depth", Some(number)),
+            Self::ForLeft(number) => ("left", Some(number)),
+            Self::ForRight(number) => ("right", Some(number)),
+            Self::OfEach => ("force", None),
         }
     }
 
@@ -53,8 +62,8 @@ impl Force {
         self.parts().0
     }
 
-    /// The number that is written.
-    pub(crate) fn number(self) -> f64 {
+    /// The number that is written; none of what stands beside each of several punches.
+    pub(crate) fn number(self) -> Option<f64> {
         self.parts().1
     }
 
@@ -66,7 +75,7 @@ impl Force {
     /// ```
     pub fn label(self, geometry: Geometry) -> String {
         let name = if let Self::ForHalfLength(_) = self { geometry.words().half_length } else { self.field() };
-        format!("{name} {:?}", self.number())
+        self.number().map_or_else(|| "forces to be found".to_owned(), |number| format!("{name} {number:?}"))
     }
 
     /// A force of the same kind with another number.
@@ -75,12 +84,23 @@ impl Force {
             Self::Given(_) => Self::Given(number),
             Self::ForHalfLength(_) => Self::ForHalfLength(number),
             Self::ForDepth(_) => Self::ForDepth(number),
+            Self::ForLeft(_) => Self::ForLeft(number),
+            Self::ForRight(_) => Self::ForRight(number),
+            Self::OfEach => Self::OfEach,
         }
     }
 
     /// The force, if its number is legal.
     pub(crate) fn checked(self) -> Result<Self, ValueError> {
-        ValueError::checked(self.field(), self.number()).map(|number: Positive| self.with(number.get()))
+        match (self, self.number()) {
+            (Self::ForLeft(_) | Self::ForRight(_), Some(place)) => {
+                ValueError::checked(self.field(), place).map(|place: Finite| self.with(place.get()))
+            }
+            (_, Some(number)) => {
+                ValueError::checked(self.field(), number).map(|number: Positive| self.with(number.get()))
+            }
+            (_, None) => Ok(self),
+        }
     }
 }
 

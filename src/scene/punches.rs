@@ -4,6 +4,7 @@ use std::fmt;
 use recede_layers::{Finite, Positive, described};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::force::Force;
 use super::punch::Punch;
 use super::text::written;
 use super::value::{ListError, ValueError, check_list};
@@ -33,15 +34,34 @@ pub struct Punches(pub(super) Vec<Pressed>);
 
 /// One of several punches.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "Written", into = "Written")]
 pub struct Pressed {
     /// The profile, x counted from the tip.
     shape: Punch,
     /// The place of the tip on x, in length.
     at: Finite,
-    /// The force on it, per unit length out of the plane.
+    /// The force on it, per unit length out of the plane, or what is expected of it.
     pub(super) force: Positive,
+    /// What the force is found for, if it is not given.
+    prescribed: Option<Force>,
     /// Whether the punch turns.
+    tilt: Tilt,
+}
+
+/// One of several punches as it is written.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    shape: Punch,
+    at: Finite,
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "number")]
+    force: Option<Positive>,
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "number")]
+    depth: Option<Positive>,
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "number")]
+    left: Option<Finite>,
+    #[serde(default, skip_serializing_if = "Option::is_none", deserialize_with = "number")]
+    right: Option<Finite>,
     #[serde(default, skip_serializing_if = "Tilt::is_none")]
     tilt: Tilt,
 }
@@ -64,6 +84,11 @@ pub enum Tilt {
         #[serde(deserialize_with = "finite")]
         eccentricity: f64,
     },
+}
+
+/// A number, where there may be none.
+fn number<'de, D: Deserializer<'de>, N: Deserialize<'de>>(deserializer: D) -> Result<Option<N>, D::Error> {
+    N::deserialize(deserializer).map(Some)
 }
 
 /// A finite number, as it is read.
@@ -96,13 +121,26 @@ impl Tilt {
 }
 
 impl Pressed {
-    /// A punch with the place of its tip on x, in length, the force on it > 0, per unit length out of the plane, and whether it turns.
+    /// A punch with the place of its tip on x, in length, the force on it > 0, per unit length out of the plane, or what the force is found for, and whether it turns.
+    ///
+    /// ```
+    /// use recede::{Force, Pressed, Punch, Tilt};
+    /// let roller = Pressed::new(Punch::cylinder(100.0)?, 3.0, Force::ForRight(3.2), Tilt::None)?;
+    /// assert_eq!(roller.pressed_by(), Force::ForRight(3.2));
+    /// assert!(Pressed::new(Punch::cylinder(100.0)?, 3.0, Force::ForHalfLength(0.2), Tilt::None).is_err());
+    /// # Ok::<(), recede::ValueError>(())
+    /// ```
     ///
     /// # Errors
-    /// [`ValueError::OutOfRange`] if a number is not legal.
-    pub fn new(shape: Punch, at: f64, force: f64, tilt: Tilt) -> Result<Self, ValueError> {
-        let (at, force) = (ValueError::checked("at", at)?, ValueError::checked("force", force)?);
-        Ok(Self { shape, at, force, tilt: tilt.checked()? })
+    /// [`ValueError::OutOfRange`] if a number is not legal; [`ValueError::List`] for [`Force::ForHalfLength`] and [`Force::OfEach`].
+    pub fn new(shape: Punch, at: f64, force: impl Into<Force>, tilt: Tilt) -> Result<Self, ValueError> {
+        let (at, force) = (ValueError::checked("at", at)?, force.into().checked()?);
+        let (force, prescribed) = match force {
+            Force::Given(force) => (ValueError::checked("force", force)?, None),
+            Force::ForDepth(_) | Force::ForLeft(_) | Force::ForRight(_) => (Positive::ONE, Some(force)),
+            Force::ForHalfLength(_) | Force::OfEach => return Err(ListError::Pressed(0).into()),
+        };
+        Ok(Self { shape, at, force, prescribed, tilt: tilt.checked()? })
     }
 
     /// The profile, x counted from the tip.
@@ -115,9 +153,14 @@ impl Pressed {
         self.at.get()
     }
 
-    /// The force, per unit length out of the plane.
+    /// The force, per unit length out of the plane; 1 where it is to be found.
     pub fn force(&self) -> f64 {
         self.force.get()
+    }
+
+    /// The force, or what it is found for.
+    pub fn pressed_by(&self) -> Force {
+        self.prescribed.unwrap_or(Force::Given(self.force()))
     }
 
     /// Whether it is turned so far that one of its sides falls from the tip on, without end.
@@ -180,12 +223,31 @@ impl Punches {
         self.0.iter().map(move |pressed| (pressed, pressed.force() / force))
     }
 
-    /// The punch, if it is one at x = 0 that is not turned.
+    /// The punch, if it is one at x = 0 that is not turned, and of which nothing is prescribed here.
     pub fn alone(&self) -> Option<&Punch> {
         match &self.0[..] {
-            [pressed] if pressed.is_upright() => Some(&pressed.shape),
+            [pressed] if pressed.is_upright() && pressed.prescribed.is_none() => Some(&pressed.shape),
             _ => None,
         }
+    }
+
+    /// What presses all of them: the sum of their forces, or what stands beside each.
+    pub(crate) fn pressed_by(&self) -> Force {
+        if self.are_prescribed() { Force::OfEach } else { Force::Given(self.force()) }
+    }
+
+    /// Whether the force of a punch is to be found.
+    pub(crate) fn are_prescribed(&self) -> bool {
+        self.0.iter().any(|pressed| pressed.prescribed.is_some())
+    }
+
+    /// The same punches with these forces, as far as numbers reach: given ones, and in place of what is expected of others.
+    pub(crate) fn with_forces(&self, forces: impl Iterator<Item = f64>) -> Self {
+        let of = |(pressed, force): (&Pressed, f64)| {
+            let force = Positive::try_from(force.clamp(f64::MIN_POSITIVE, f64::MAX)).unwrap_or(pressed.force);
+            Pressed { force, ..pressed.clone() }
+        };
+        Self(self.0.iter().zip(forces).map(of).collect())
     }
 
     /// The punch, if it is an even one by itself that is not turned, wherever its tip is.
@@ -210,7 +272,35 @@ impl fmt::Display for Punches {
 impl From<Punch> for Punches {
     /// One punch at x = 0.
     fn from(shape: Punch) -> Self {
-        Self(vec![Pressed { shape, at: Finite::ZERO, force: Positive::ONE, tilt: Tilt::None }])
+        Self(vec![Pressed { shape, at: Finite::ZERO, force: Positive::ONE, prescribed: None, tilt: Tilt::None }])
+    }
+}
+
+impl TryFrom<Written> for Pressed {
+    type Error = ValueError;
+
+    fn try_from(Written { shape, at, force, depth, left, right, tilt }: Written) -> Result<Self, ValueError> {
+        let given = [
+            force.map(|force| Force::Given(force.get())),
+            depth.map(|depth| Force::ForDepth(depth.get())),
+            left.map(|left| Force::ForLeft(left.get())),
+            right.map(|right| Force::ForRight(right.get())),
+        ];
+        let given: Vec<Force> = given.into_iter().flatten().collect();
+        let [one] = given[..] else { return Err(ListError::Pressed(given.len()).into()) };
+        Self::new(shape, at.get(), one, tilt)
+    }
+}
+
+impl From<Pressed> for Written {
+    fn from(Pressed { shape, at, force, prescribed, tilt }: Pressed) -> Self {
+        let (depth, left, right) = match prescribed {
+            Some(Force::ForDepth(depth)) => (Positive::try_from(depth).ok(), None, None),
+            Some(Force::ForLeft(left)) => (None, Finite::try_from(left).ok(), None),
+            Some(Force::ForRight(right)) => (None, None, Finite::try_from(right).ok()),
+            _ => (None, None, None),
+        };
+        Self { shape, at, force: prescribed.is_none().then_some(force), depth, left, right, tilt }
     }
 }
 
@@ -238,4 +328,4 @@ impl TryFrom<Vec<Pressed>> for Punches {
 }
 
 described!(Punches in
-    "[(shape: ..., at: x, force: P, tilt: ...), ...], one or more punches with the places x of their tips and forces P > 0");
+    "[(shape: ..., at: x, force: P, tilt: ...), ...], one or more punches with the places x of their tips and forces P > 0, or in place of a force `depth`, `left` or `right`");

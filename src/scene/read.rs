@@ -41,7 +41,7 @@ pub(super) struct Draft {
     /// The punch on top, if there are no loads.
     #[schemars(with = "Option<Punch>")]
     punch: Option<IgnoredAny>,
-    /// In place of one punch: several, each anywhere on x with a force of its own. Without `tilt` a punch cannot turn; `tilt: Fixed(angle)` turns it by a small
+    /// In place of one punch: several, each anywhere on x with a force of its own, or a `depth`, or the place where its contact ends, `left` or `right`. Without `tilt` a punch cannot turn; `tilt: Fixed(angle)` turns it by a small
     /// angle, and `tilt: Free(eccentricity: e)` lets it turn freely under a force that acts at x + e.
     #[schemars(with = "Option<Punches>")]
     punches: Option<IgnoredAny>,
@@ -224,16 +224,20 @@ pub(super) fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &O
     let given: Vec<Force> = kinds.iter().zip(numbers).filter_map(|(kind, number)| number.map(kind)).collect();
     let own = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
     let (other, found, hint) = match (&given[..], field) {
-        ([], "punches" | "loads") => return Ok(Force::Given(top.force())),
+        ([], "punches" | "loads") => {
+            return Ok(top.punches().map_or_else(|| Force::Given(top.force()), Punches::pressed_by));
+        }
         ([], _) => {
             let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
             return Err(origin.error_at(&origin.tree, "`force` is missing in the scene").hinted(Some(hint)));
         }
         ([found], "punch") | ([found @ Force::Given(_)], "load") => return Ok(*found),
         ([found, ..], "loads") | ([found @ Force::Given(_), ..], "punches") => (field, found, &own[..]),
-        ([found, ..], "punches") => {
-            (field, found, "it is for one `punch` only: each of several punches has its `force`")
-        }
+        ([found, ..], "punches") => (
+            field,
+            found,
+            "it is for one `punch` only: each of several punches has its `force`, `depth`, `left` or `right`",
+        ),
         ([found], _) => (field, found, "no force changes how far a load reaches: give its resultant, `force: ...`"),
         ([first, second, ..], _) => {
             (first.field(), second, "`force` is given, or found for `half_length` or `depth`: remove one of them")

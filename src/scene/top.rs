@@ -90,7 +90,7 @@ impl Top {
     }
 
     /// The sum of the forces of punches, or of loads.
-    pub(super) fn force(&self) -> f64 {
+    pub(crate) fn force(&self) -> f64 {
         match self {
             Self::Punches(punches) => punches.force(),
             Self::Loads(loads) => loads.force(),

@@ -20,6 +20,9 @@ pub enum ListError {
     /// Forces so large that their sum is not finite.
     #[error("the forces of the {0} are together beyond the largest number")]
     Sum(&'static str),
+    /// A punch of which so many of these are given.
+    #[error("{0} of `force`, `depth`, `left` and `right` are given; each of several punches has exactly one of them")]
+    Pressed(usize),
     /// The punch of this number is elastic, and stands beside others, away from x = 0, or is turned.
     #[error("punch {0} is elastic; allowed is an elastic punch alone, at x = 0 and without tilt")]
     Elastic(usize),
@@ -50,7 +53,7 @@ impl ListError {
     /// The number of the punch that it is about, and the fields in which the mistake is, from the outermost on; `None` if it is about all of them.
     pub(super) fn place(&self) -> Option<(usize, &'static [&'static str])> {
         match self {
-            Self::Count { .. } | Self::Sum(_) => None,
+            Self::Count { .. } | Self::Sum(_) | Self::Pressed(_) => None,
             Self::Elastic(number) => Some((*number, &["shape"])),
             Self::Eccentricity { number, .. } => Some((*number, &["tilt", "eccentricity"])),
             Self::Overlap { numbers: [_, number], .. } => Some((*number, &["at"])),

@@ -39,7 +39,7 @@ impl Scene {
             Some(list) => field(self.top.field(), list),
             None => {
                 field(self.top.field(), self.top.written_in(self.geometry));
-                field(self.force.field(), format!("{:?}", self.force.number()));
+                self.force.number().iter().for_each(|number| field(self.force.field(), format!("{number:?}")));
             }
         }
         text += "    stack: [\n";

@@ -121,7 +121,8 @@ fn wrong(scene: &Scene, solution: &Solution) -> Option<String> {
         let total = if let Force::Given(force) = scene.force { force } else { f64::NAN };
         let what = each.iter().enumerate().find_map(|(number, own)| {
             let pressed = given(number).filter(|_| contact.interface == Interface::Punch);
-            let force = pressed.filter(|_| each.len() > 1).map_or(total, Pressed::force);
+            let of_one = |pressed: &Pressed| pressed.pressed_by().given().unwrap_or(f64::NAN);
+            let force = pressed.filter(|_| each.len() > 1).map_or(total, of_one);
             wrong_contact(scene, own, pressed.map(Pressed::shape), force)
         });
         Some(format!("{} at contact {}", what?, contact.interface))

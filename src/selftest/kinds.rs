@@ -9,13 +9,15 @@ use super::scenario::{Ply, Scenario, ScenarioUnits};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
 use crate::geometry::Geometry;
-use crate::scene::{Item, Load, Loads, Pressed, Punch, Punches, Scene, Spring, Tilt, Top, ValueError};
+use crate::scene::{Force, Item, Load, Loads, Pressed, Punch, Punches, Scene, Spring, Tilt, Top, ValueError};
 
 /// In a table the punch ends at this many times the half-length that is aimed at.
 const TABLE_ENDS: f64 = 6.0;
 const ROWS: usize = 16;
 /// Punches at most.
 const MOST: usize = 4;
+/// Of rollers with a smaller number for their size the place where the contact ends is prescribed.
+const HELD: f64 = 0.25;
 
 /// The kinds in place of a parabola, of layers, of bonds, and of a half-plane; a number beyond the kinds changes nothing.
 #[derive(Clone, Debug)]
@@ -73,7 +75,7 @@ pub fn scene_with_punches(ranges: &Ranges, seed: u64, number: u64) -> Result<Sce
     let (scenario, drawn) = drawn(&(scenes(ranges), all), seed, number);
     let scene = scene_of_any_kind(ranges, seed, number)?;
     let punches = punches(&scenario, &drawn)?;
-    let force = punches.force();
+    let force = punches.pressed_by();
     Ok(Scene::new(scenario.plane, Top::from(punches), force, scene.stack))
 }
 
@@ -221,7 +223,10 @@ fn punches(scenario: &Scenario, drawn: &[Drawn]) -> Result<Punches, ValueError> 
             1 => Tilt::Free { eccentricity: 0.4 * aside * width },
             _ => Tilt::None,
         };
-        all.push(Pressed::new(punch, at, share, tilt)?);
+        // the place where the contact ends is prescribed of some rollers
+        let is_held = *kind > 3 && tilt.angle().is_none_or(|angle| angle == 0.0) && *size < HELD;
+        let force = if is_held { Force::ForRight(at + 0.7 * width) } else { Force::Given(share) };
+        all.push(Pressed::new(punch, at, force, tilt)?);
         at += width * (4.0 + 8.0 * apart);
     }
     Punches::new(&all)

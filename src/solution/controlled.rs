@@ -8,6 +8,10 @@ pub enum Controlled {
     HalfLength,
     /// The approach of the punch: how far it sinks.
     Approach,
+    /// The left end of the contact under one of several punches.
+    Left,
+    /// The right end.
+    Right,
 }
 
 impl Controlled {
@@ -16,6 +20,8 @@ impl Controlled {
         match self {
             Self::HalfLength => "half_length",
             Self::Approach => "depth",
+            Self::Left => "left",
+            Self::Right => "right",
         }
     }
 }
@@ -25,6 +31,8 @@ impl fmt::Display for Controlled {
         f.write_str(match self {
             Self::HalfLength => "`half_length` of the contact under the punch",
             Self::Approach => "approach of the punch",
+            Self::Left => "left end of the contact under the punch",
+            Self::Right => "right end of the contact under the punch",
         })
     }
 }

@@ -68,26 +68,28 @@ impl Equations<'_> {
 
     /// How many rows there are that are not the ones of unknown terms, and as many unknowns.
     pub(super) fn border(&self) -> usize {
-        self.places.last().map_or(0, |last| last.left.1 + last.left.0.len())
-            + usize::from(self.problem.prescribed.is_some())
+        self.places.last().map_or(0, |last| last.left.1 + last.left.0.len()) + self.problem.prescribed.len()
     }
 
-    /// Adds the row that tells the force of the punch from what is prescribed: the last one.
+    /// Adds the rows that tell the forces of punches from what is prescribed: the last ones.
     fn add_prescribed(&self, system: &mut System) {
-        let row = system.d.nrows().saturating_sub(1);
-        match self.problem.prescribed {
-            None => {}
-            Some(Prescribed::HalfLength(_)) => system.d[(row, self.prescribed_end())] = 1.0,
-            Some(Prescribed::Depth(depth)) => {
-                let rows = Places { terms: Default::default(), ends: 0, left: (vec![0], row), told: Vec::new() };
-                let sunk = self.sunk();
-                for (contact, all) in sunk.by_columns.iter().enumerate() {
-                    let block = Block { all, first: [0; 2], factor: 1.0 };
-                    for own in self.chain(contact) {
-                        self.add_columns(&rows, system, own, &block);
+        let (first, mut all_sunk) = (system.d.nrows() - self.problem.prescribed.len(), self.sunk().iter());
+        for (row, (punch, prescribed)) in (first..).zip(&self.problem.prescribed) {
+            match prescribed {
+                Prescribed::End { side, .. } => system.d[(row, self.prescribed_end(*punch, *side))] = 1.0,
+                Prescribed::Depth(depth) => {
+                    let rows = Places { terms: Default::default(), ends: 0, left: (vec![0], row), told: Vec::new() };
+                    let Some(sunk) = all_sunk.next() else { continue };
+                    for (contact, all) in sunk.by_columns.iter().enumerate() {
+                        let block = Block { all, first: [0; 2], factor: 1.0 };
+                        for own in self.chain(contact) {
+                            self.add_columns(&rows, system, own, &block);
+                        }
                     }
+                    let angles = system.d.ncols() - self.turning.len();
+                    (angles..).zip(&sunk.by_angles).for_each(|(angle, part)| system.d[(row, angle)] += part);
+                    system.right.left[row] += depth - sunk.height;
                 }
-                system.right.left[row] += depth - sunk.height;
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The row that tells the force of a punch where its depth is prescribed.
+//! The rows that tell the forces of punches of which the depth is prescribed.
 use faer::Mat;
 
 use crate::contact::intervals::columns::Columns;
@@ -8,30 +8,61 @@ use crate::numeric::largest;
 use crate::numeric::means::MeanWindow;
 
 impl Equations<'_> {
-    /// What the depth of the punch follows from.
-    pub(super) fn sunk(&self) -> &Sunk {
-        self.sunk.get_or_init(|| self.sum_sunk())
+    /// What the depths of punches follow from, as far as they are prescribed.
+    pub(super) fn sunk(&self) -> &[Sunk] {
+        let punches = self.problem.prescribed.iter().filter(|(_, prescribed)| prescribed.depth().is_some());
+        self.sunk.get_or_init(|| punches.map(|(punch, _)| self.sum_sunk(*punch)).collect())
     }
 
-    fn sum_sunk(&self) -> Sunk {
-        let window =
-            |columns: &Columns| MeanWindow { middle: columns.intervals[0].middle, half: columns.intervals[0].half };
-        let mut windows: Vec<MeanWindow> = self.columns.iter().map(window).collect();
-        MeanWindow::equalise(&mut windows);
-        let end = |columns: &Columns| largest(columns.intervals.iter().map(ContactInterval::to));
+    fn sum_sunk(&self, punch: usize) -> Sunk {
+        let (windows, mut sums) = (self.windows(punch), Vec::new());
+        let end = |columns: &Columns| {
+            largest(columns.intervals.iter().map(|own: &ContactInterval| own.to().max(-own.from())))
+        };
         let ends: Vec<f64> = self.columns.iter().map(end).collect();
-        let (kernel, mut sums) = (self.problem.kernel, Vec::new());
+        let kernel = self.problem.kernel;
         sums.extend(self.columns.iter().map(|columns| Mat::zeros(1, columns.rows())));
         kernel.depth(&windows, &ends, (self.layout.negligible, 1), |own| {
             let columns = &self.columns[own.contact];
             let waves = columns.waves(own.zeta, &kernel.workspace);
             let long = columns.long_waves(own.zeta, &kernel.workspace);
-            let told = long.places.iter().copied().zip(long.values.all().test(&own.resultant[0]));
-            let tested = waves.all().test(&own.all[0]).into_iter().enumerate();
+            let parts = |even: &[f64], odd: &[f64]| if self.moves { [even, odd].concat() } else { even.to_vec() };
+            let of_told = parts(&own.resultant[0], &own.moment[0]);
+            let told = long.places.iter().copied().zip(long.values.all().test(&of_told));
+            let tested = waves.all().test(&parts(&own.all[0], &own.odd[0])).into_iter().enumerate();
             tested.chain(told).for_each(|(column, wave)| sums[own.contact][(0, column)] += wave);
         });
-        let profile = self.problem.sides[0].profile();
-        let height = profile.map_or(0.0, |profile| profile.mean_height(&windows[0]));
-        Sunk { by_columns: sums, height }
+        Sunk {
+            by_columns: sums,
+            by_angles: self.turned(punch, &windows),
+            height: self.problem.sides[0].mean_height(punch, &windows[0]),
+        }
+    }
+
+    /// Where displacements are averaged under a punch and below: where all is even, on the innermost intervals.
+    fn windows(&self, punch: usize) -> Vec<MeanWindow> {
+        let of = |(contact, columns): (usize, &Columns)| {
+            let own = columns.intervals.iter().filter(|own| contact > 0 || own.punch == punch);
+            let ends = own.map(|own| [own.middle - own.half, own.middle + own.half]);
+            if self.moves { ends.collect() } else { ends.take(1).collect() }
+        };
+        MeanWindow::on_contacts(&self.columns.iter().enumerate().map(of).collect::<Vec<_>>())
+    }
+
+    /// What the depth has of each angle by which bodies turn: the layers between two windows at different places turn, and so does a punch from its tip to its window.
+    fn turned(&self, punch: usize, windows: &[MeanWindow]) -> Vec<f64> {
+        let mut all = vec![0.0; self.turning.len()];
+        let from_tip = match self.problem.placed(0, punch) {
+            Some(placed) if placed.angle().is_none() => windows[0].middle - placed.at(),
+            _ => 0.0,
+        };
+        for (angle, (contact, group)) in self.turning.iter().enumerate() {
+            all[angle] = match contact {
+                0 if *group == punch => from_tip,
+                0 => 0.0,
+                _ => from_tip - (windows[0].middle - windows[*contact].middle),
+            };
+        }
+        all
     }
 }

@@ -20,6 +20,7 @@ use crate::contact::intervals::short_waves::ShortWaves;
 use crate::contact::intervals::support::{ContactInterval, Intervals, Parity};
 use crate::contact::intervals::waves::{AT_ONCE, Long};
 use crate::contact::problem::{Group, Problem};
+use crate::numeric::dot;
 
 /// Numbers in columns at wavenumbers that are kept at most, 8 bytes each: others are made again where they are needed.
 const KEPT: usize = 1 << 21;
@@ -33,7 +34,7 @@ pub(super) struct Equations<'a> {
     /// Of each laminate, whether the unknowns of the contact below are what it has more than the contact above.
     pub(super) linked: Vec<bool>,
     /// Whether nothing is even.
-    moves: bool,
+    pub(super) moves: bool,
     /// The unknown moments and forces of punches.
     pub(super) loads: Vec<Load>,
     /// The contacts and groups of intervals at which bodies turn against each other.
@@ -42,7 +43,7 @@ pub(super) struct Equations<'a> {
     blocks: RefCell<Vec<Rc<Sampled>>>,
     short_waves: Vec<OnceCell<Option<Vec<ShortWaves>>>>,
     slopes: Vec<OnceCell<Vec<f64>>>,
-    pub(super) sunk: OnceCell<Sunk>,
+    pub(super) sunk: OnceCell<Vec<Sunk>>,
     /// How many numbers of columns are kept at most: none of columns that are used once.
     pub(super) keeps: usize,
     /// Where unknowns and rows stand, of each contact.
@@ -84,7 +85,9 @@ pub(super) struct Solved {
     pub(super) angles: Vec<f64>,
     /// By how much the slope of the gap of each contact grows since bodies turn, for each group of intervals.
     pub(super) rotations: Vec<Vec<f64>>,
-    /// The force over the one that is given or expected.
+    /// The forces that are to be found, over what is expected of them.
+    pub(super) forces: Vec<f64>,
+    /// The force of all over the one that is given or expected.
     pub(super) force: f64,
 }
 
@@ -120,17 +123,20 @@ impl Told {
 pub(super) struct Sunk {
     /// Of each contact a row with what each column adds to it.
     pub(super) by_columns: Vec<Mat<f64>>,
+    /// The same of each angle by which bodies turn.
+    pub(super) by_angles: Vec<f64>,
     /// How much higher than its lowest point the punch is about the middle of its contact.
     pub(super) height: f64,
 }
 
 impl Sunk {
-    /// The depth with some amplitudes of all columns.
-    pub(super) fn with(&self, amplitudes: &[Vec<f64>]) -> f64 {
+    /// The depth with some amplitudes of all columns, and some angles.
+    pub(super) fn with(&self, amplitudes: &[Vec<f64>], angles: &[f64]) -> f64 {
         let of = |(by, amplitudes): (&Mat<f64>, &Vec<f64>)| {
             amplitudes.iter().enumerate().map(|(column, amplitude)| by[(0, column)] * amplitude).sum::<f64>()
         };
-        self.height + self.by_columns.iter().zip(amplitudes).map(of).sum::<f64>()
+        let turned = dot(&self.by_angles, angles);
+        self.height + turned + self.by_columns.iter().zip(amplitudes).map(of).sum::<f64>()
     }
 }
 
@@ -160,7 +166,7 @@ impl<'a> Equations<'a> {
         let moves = support.0.iter().any(|interval| interval.parity == Parity::None);
         let groups = problem.groups(0);
         let moments = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).map(Load::Moment);
-        let loads = moments.chain(problem.prescribed.map(|_| Load::Force(0))).collect();
+        let loads = moments.chain(problem.prescribed.iter().map(|(punch, _)| Load::Force(*punch))).collect();
         let of = |contact: usize| {
             let turning = problem.groups(contact).into_iter().enumerate().filter(|(_, group)| moves && group.turns);
             turning.map(move |(group, _)| (contact, group))

@@ -160,10 +160,13 @@ impl Errors {
 }
 
 impl Approximation {
-    /// By how much the last third of the terms changes the force, and the third before, relative.
+    /// By how much the last third of the terms changes the forces that are to be found, and the third before, relative.
     fn force_changes(&self) -> [f64; 2] {
-        let [own, some, few] = [&self.solved, &self.coarser[0], &self.coarser[1]].map(|solved| solved.force);
-        [own - some, some - few].map(|change| change / own)
+        let [own, some, few] = [&self.solved, &self.coarser[0], &self.coarser[1]].map(|solved| &solved.forces);
+        let change = |one: &[f64], other: &[f64]| {
+            largest(one.iter().zip(other).zip(own).map(|((one, other), own)| ((one - other) / own).abs()))
+        };
+        [change(own, some), change(some, few)]
     }
 
     /// By how much farther out fewer terms would put the ends of each interval, in half-lengths, and still fewer than these; nothing where next to nothing

@@ -99,9 +99,10 @@ pub(super) fn of_contacts(problem: &Problem, contacts: &[Contact]) -> Option<Int
 fn resolving(problem: &Problem, interval: &ContactInterval) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
     let of_waves = (if interval.is_even() { 0.5 * orders } else { orders }) as usize;
-    let is_depth = matches!(problem.prescribed, Some(Prescribed::Depth(_)));
-    let has_tip = is_depth && problem.tip(interval.contact, interval.punch).is_some();
-    if has_tip { of_waves.max(4 * COARSEST) } else { of_waves }
+    let is_depth = |(_, prescribed): &(usize, Prescribed)| matches!(prescribed, Prescribed::Depth(_));
+    let has_tip = problem.prescribed.iter().any(is_depth) && problem.tip(interval.contact, interval.punch).is_some();
+    let of_tip = if interval.is_even() { 4 * COARSEST } else { 8 * COARSEST };
+    if has_tip { of_waves.max(of_tip) } else { of_waves }
 }
 
 /// The same between the usual number of terms and four times as many, both times `finer`.
@@ -174,7 +175,7 @@ fn answered(
         *error += SAFETY * level.local[k].error / level.largest_pressure(level.support.0[k].contact, &middle);
     }
     // what still changes so much is not known to be near its limit, and a punch presses
-    if !errors.are_known() || level.solved.force <= 0.0 {
+    if !errors.are_known() || level.solved.forces.iter().any(|force| *force <= 0.0) {
         return Err(None);
     }
     let mut warnings = Vec::new();
@@ -198,7 +199,8 @@ fn answered(
     };
     let contacts = found(problem, &level, &errors);
     let (min_pressure, min_gap) = (signs.min_pressure, signs.min_gap);
-    let force = [level.solved.force, problem.prescribed.map_or(0.0, |_| errors.force * level.solved.force)];
+    let force_error = if problem.prescribed.is_empty() { 0.0 } else { errors.force * level.solved.force };
+    let force = [level.solved.force, force_error];
     Ok(Answer { contacts, force, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 

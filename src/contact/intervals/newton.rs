@@ -398,7 +398,10 @@ fn regular(equations: &Equations, support: &Intervals, solved: &Solved) -> Vec<P
 fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
     let all = &support.0;
     let vanishes = |number: &usize| {
-        pressures[*number].force(&all[*number]) < ROUNDING && support.of(all[*number].contact).len() > 1
+        let own = &all[*number];
+        // each punch keeps an interval
+        let alike = support.of(own.contact).iter().filter(|other| other.punch == own.punch);
+        pressures[*number].force(own) < ROUNDING && alike.count() > 1
     };
     if let Some(number) = (0..all.len()).find(vanishes) {
         let mut all = all.clone();

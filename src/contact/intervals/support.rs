@@ -181,16 +181,25 @@ impl Intervals {
         }
     }
 
-    /// With the innermost interval under the punch ending where that is prescribed, if it is, and staying there.
+    /// With contacts under punches ending where that is prescribed, if it is, and staying there.
     pub(super) fn held(mut self, problem: &Problem) -> Self {
-        let Some(Prescribed::HalfLength(end)) = problem.prescribed else { return self };
-        let under_punch = self.0.iter_mut().filter(|interval| interval.contact == 0);
-        for (number, interval) in under_punch.enumerate() {
-            interval.corners = [false; 2];
-            if number == 0 {
-                let from = if interval.from() < end { interval.from() } else { 0.0 };
-                *interval = interval.between([from, end]).with_corners([false, true]);
-            }
+        for (punch, prescribed) in &problem.prescribed {
+            let Prescribed::End { side, at } = *prescribed else { continue };
+            let is_there = |interval: &&mut ContactInterval| interval.contact == 0 && interval.punch == *punch;
+            let mut own: Vec<&mut ContactInterval> = self.0.iter_mut().filter(is_there).collect();
+            own.iter_mut().for_each(|interval| interval.corners = [false; 2]);
+            let held = match problem.is_even() || side < 0.0 {
+                true => own.into_iter().next(),
+                false => own.into_iter().next_back(),
+            };
+            let Some(interval) = held else { continue };
+            let other = if side > 0.0 { interval.from() } else { interval.to() };
+            let other = match side * (at - other) > 0.0 {
+                true => other,
+                false if problem.is_even() => 0.0,
+                false => at - 2.0 * side * interval.half,
+            };
+            *interval = interval.between([other.min(at), other.max(at)]).with_corners([side < 0.0, side > 0.0]);
         }
         self
     }

@@ -5,7 +5,7 @@ use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::intervals::system::{Rows, Unknowns};
 use crate::contact::problem::Prescribed;
-use crate::numeric::dot;
+use crate::numeric::{dot, largest};
 
 impl Equations<'_> {
     /// The amplitudes of all columns of all contacts, the first ones of which tell resultants and moments; 1 of a given pressure.
@@ -57,15 +57,23 @@ impl Equations<'_> {
             (0..columns.groups.len()).map(|group| rotation(contact, group)).collect()
         };
         let rotations = self.columns.iter().enumerate().map(of_contact).collect();
-        let of_load = |(load, value): (&Load, &f64)| if let Load::Force(_) = load { Some(*value) } else { None };
-        let force = self.loads.iter().zip(loads).find_map(of_load).unwrap_or(1.0);
+        let of_load = |(load, value): (&Load, &f64)| match load {
+            Load::Force(punch) => Some((*punch, *value)),
+            Load::Moment(_) => None,
+        };
+        let found: Vec<(usize, f64)> = self.loads.iter().zip(loads).filter_map(of_load).collect();
+        let groups = self.problem.groups(0);
+        let force = 1.0 + found.iter().map(|(punch, value)| groups[*punch].share * (value - 1.0)).sum::<f64>();
+        let forces = found.into_iter().map(|(_, value)| value).collect();
         let (loads, angles) = (loads.to_vec(), angles.to_vec());
         let mut pressures: Vec<Pressure> = self.problem.unknown().flat_map(&mut of).collect();
-        if let (Some(Prescribed::HalfLength(_)), Some(first)) = (self.problem.prescribed, pressures.first_mut()) {
-            // as the last row says, but for rounding
-            first.singular.iter_mut().rev().take(1).for_each(|q| *q = 0.0);
+        for (punch, prescribed) in &self.problem.prescribed {
+            let Prescribed::End { side, .. } = *prescribed else { continue };
+            // as the last rows say, but for rounding
+            let [interval, end] = self.held_end(*punch, side);
+            pressures[interval].singular[end] = 0.0;
         }
-        Solved { pressures, loads, angles, rotations, force }
+        Solved { pressures, loads, angles, rotations, forces, force }
     }
 
     /// The unknowns of pressures, but for tips, which are where they are; what resultants and moments tell is left out.
@@ -108,7 +116,7 @@ impl Equations<'_> {
             missed[set][contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
         });
         for ((rows, amplitudes), unknowns) in missed.iter_mut().zip(&sets).zip(all) {
-            let angles = &unknowns.q[unknowns.q.len() - self.turning.len()..];
+            let angles = self.angles_among(unknowns);
             for contact in self.problem.unknown() {
                 self.add_in_space_of(contact, &amplitudes[contact], angles, &mut rows[contact])?;
             }
@@ -119,26 +127,43 @@ impl Equations<'_> {
 
     /// By how much pressures without what is singular at some ends miss a depth that is prescribed, relative.
     pub(super) fn missed(&self, solved: &Solved, without: &[bool]) -> f64 {
-        let Some(Prescribed::Depth(depth)) = self.problem.prescribed else { return 0.0 };
+        let depths = self.problem.prescribed.iter().filter_map(|(_, prescribed)| prescribed.depth());
         let mut regular = solved.clone();
         let ends = regular.pressures.iter_mut().flat_map(|pressure| &mut pressure.singular);
         ends.zip(without).filter(|(_, without)| **without).for_each(|(q, _)| *q = 0.0);
-        let own = self.sunk().with(&self.amplitudes_of(&self.unknowns(&regular)));
-        (own / depth - 1.0).abs()
+        let unknowns = self.unknowns(&regular);
+        let amplitudes = self.amplitudes_of(&unknowns);
+        let sunk = self.sunk().iter().map(|sunk| sunk.with(&amplitudes, self.angles_among(&unknowns)));
+        largest(sunk.zip(depths).map(|(own, depth)| (own / depth - 1.0).abs()))
     }
 
-    /// What is missing of what is prescribed of the punch in place of its force.
+    /// The angles among some unknowns.
+    fn angles_among<'a>(&self, unknowns: &'a Unknowns) -> &'a [f64] {
+        &unknowns.q[unknowns.q.len() - self.turning.len()..]
+    }
+
+    /// What is missing of what is prescribed of punches in place of their forces.
     fn unmet(&self, amplitudes: &[Vec<f64>], unknowns: &Unknowns) -> Vec<f64> {
-        let of = |prescribed| match prescribed {
-            Prescribed::HalfLength(_) => -unknowns.q[self.prescribed_end()],
-            Prescribed::Depth(depth) => depth - self.sunk().with(amplitudes),
+        let mut sunk = self.sunk().iter().map(|sunk| sunk.with(amplitudes, self.angles_among(unknowns)));
+        let of = |(punch, prescribed): &(usize, Prescribed)| match prescribed {
+            Prescribed::End { side, .. } => -unknowns.q[self.prescribed_end(*punch, *side)],
+            Prescribed::Depth(depth) => depth - sunk.next().unwrap_or(0.0),
         };
-        self.problem.prescribed.map(of).into_iter().collect()
+        self.problem.prescribed.iter().map(of).collect()
     }
 
-    /// Where the end of the contact that is as far out as prescribed stands among the unknowns: the right one of the innermost interval under the punch.
-    pub(super) fn prescribed_end(&self) -> usize {
-        self.places[0].ends + self.columns[0].intervals[0].sides().len() - 1
+    /// Where the end of a contact that is as far out as prescribed stands among the unknowns.
+    pub(super) fn prescribed_end(&self, punch: usize, side: f64) -> usize {
+        let [interval, end] = self.held_end(punch, side);
+        self.places[0].ends + self.columns[0].end(interval) + end
+    }
+
+    /// The interval under a punch that ends where it is prescribed, and which of its ends that is: where all is even the right one of the innermost interval.
+    fn held_end(&self, punch: usize, side: f64) -> [usize; 2] {
+        let (columns, group) = (&self.columns[0], &self.columns[0].groups[punch]);
+        let is_first = side < 0.0 || !self.moves;
+        let interval = if is_first { group.start } else { group.end - 1 };
+        [interval, if side < 0.0 { 0 } else { columns.intervals[interval].sides().len() - 1 }]
     }
 
     /// Adds what tests of a contact miss in space with some amplitudes and angles.
@@ -167,8 +192,10 @@ impl Equations<'_> {
                 all.left[left.1..].iter_mut().zip(&left.0).for_each(add);
             }
         }
-        // the last row
-        all.left.iter_mut().rev().zip(&tested[self.columns.len()]).for_each(|(into, unmet)| *into = *unmet);
+        // the last rows
+        let unmet = &tested[self.columns.len()];
+        let first = all.left.len() - unmet.len();
+        all.left[first..].copy_from_slice(unmet);
         all
     }
 

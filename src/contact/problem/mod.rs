@@ -14,7 +14,8 @@ pub(crate) mod twin;
 use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
-use crate::scene::Top;
+use crate::numeric::means::MeanWindow;
+use crate::scene::{Force, Pressed, Punches, Top};
 use crate::solution::{Controlled, Interface};
 
 use accuracy::MOST_OPERATIONS;
@@ -35,18 +36,19 @@ pub(crate) struct Problem<'a> {
     pub(crate) top: &'a Top,
     /// P' = P/(μ₀L), or what is expected of it where something else is prescribed of the punch.
     pub(crate) force: f64,
-    pub(crate) prescribed: Option<Prescribed>,
+    /// What is prescribed of punches, by their numbers from the left.
+    pub(crate) prescribed: Vec<(usize, Prescribed)>,
     /// Relative error wanted.
     pub(crate) tolerance: f64,
     /// Multiplications at most, see [`MOST_OPERATIONS`].
     pub(crate) operations: f64,
 }
 
-/// What is prescribed of a symmetric punch in place of its force.
+/// What is prescribed of a punch in place of its force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Prescribed {
-    /// How far from the tip the innermost interval ends, in units of L.
-    HalfLength(f64),
+    /// Where the contact ends on a side, 1 for the right one and −1 for the left one, in units of L: where all is even the innermost interval, on its right.
+    End { side: f64, at: f64 },
     /// How far the punch sinks, in units of L and per unit of P'.
     Depth(f64),
 }
@@ -54,8 +56,23 @@ pub(crate) enum Prescribed {
 impl Prescribed {
     pub(crate) fn controlled(self) -> Controlled {
         match self {
-            Self::HalfLength(_) => Controlled::HalfLength,
+            Self::End { .. } => Controlled::HalfLength,
             Self::Depth(_) => Controlled::Approach,
+        }
+    }
+
+    /// How far the punch is to sink, if that is prescribed.
+    pub(crate) fn depth(self) -> Option<f64> {
+        if let Self::Depth(depth) = self { Some(depth) } else { None }
+    }
+
+    /// What stands beside a punch in a list, with x = 0 at a place and a unit force, in units of L; none of a force that is given.
+    fn of(pressed: &Pressed, origin: f64, length: f64, force: f64) -> Option<Self> {
+        match pressed.pressed_by() {
+            Force::ForDepth(depth) => Some(Self::Depth(depth / (length * force))),
+            Force::ForLeft(place) => Some(Self::End { side: -1.0, at: place / length - origin }),
+            Force::ForRight(place) => Some(Self::End { side: 1.0, at: place / length - origin }),
+            _ => None,
         }
     }
 }
@@ -113,7 +130,16 @@ impl<'a> Problem<'a> {
         };
         let closed = (1..kernel.contacts()).map(|_| Side::Closed);
         let sides = std::iter::once(side).chain(closed).collect();
-        let (prescribed, operations) = (None, MOST_OPERATIONS);
+        let is_even = top.is_even();
+        let all = top.punches().into_iter().flat_map(Punches::parts).enumerate();
+        let of = |(number, (pressed, _)): (usize, (&Pressed, f64))| {
+            let prescribed = Prescribed::of(pressed, origin, length, force)?;
+            Some(match prescribed {
+                Prescribed::End { side, at } if is_even => (number, Prescribed::End { side: 1.0, at: side * at }),
+                _ => (number, prescribed),
+            })
+        };
+        let (prescribed, operations) = (all.filter_map(of).collect(), MOST_OPERATIONS);
         Self { kernel, interfaces, sides, origin, top, force, prescribed, tolerance, operations }
     }
 
@@ -128,7 +154,7 @@ impl<'a> Problem<'a> {
     ) -> Self {
         let length = kernel.length();
         let sides = half_lengths.iter().map(|a| Side::Joined(a / length)).collect();
-        Self { sides, ..Self::new(kernel, interfaces, top, 1.0, tolerance) }
+        Self { sides, prescribed: Vec::new(), ..Self::new(kernel, interfaces, top, 1.0, tolerance) }
     }
 
     /// The same punch and force on another kernel in the same units, with another tolerance.
@@ -137,7 +163,7 @@ impl<'a> Problem<'a> {
         'a: 'b,
     {
         Problem {
-            prescribed: self.prescribed,
+            prescribed: self.prescribed.clone(),
             ..Problem::new(kernel, interfaces, self.top, self.total_force(), tolerance)
         }
     }
@@ -159,6 +185,11 @@ impl<'a> Problem<'a> {
     /// Whether the pressure of contact i is given.
     pub(crate) fn is_known(&self, i: usize) -> bool {
         matches!(self.sides[i], Side::Known(_))
+    }
+
+    /// Where the contact under a punch ends on its right, if that is prescribed.
+    pub(crate) fn prescribed_end(&self) -> Option<f64> {
+        self.prescribed.iter().find_map(|(_, own)| if let Prescribed::End { at, .. } = own { Some(*at) } else { None })
     }
 
     /// The contacts whose pressure is to be found.
@@ -255,6 +286,15 @@ impl<'a> Side<'a> {
     /// The same of any punch, and about an axis as it is.
     pub(crate) fn height_above_tip(&self, punch: usize, x: f64) -> f64 {
         self.profile().map_or_else(|| self.height_under(punch, x), |profile| profile.height(x))
+    }
+
+    /// How much higher than at its lowest point the punch of this number is on average over a window, per unit of P'.
+    pub(crate) fn mean_height(&self, punch: usize, window: &MeanWindow) -> f64 {
+        match self {
+            Self::Profile(profile) => profile.mean_height(window, 0.0, 0.0),
+            Self::Punches(all) => all.get(punch).map_or(0.0, |placed| placed.mean_height(window)),
+            _ => 0.0,
+        }
     }
 
     /// Where the punch of this number ends, in units of L; infinite where it does not.

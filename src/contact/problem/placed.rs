@@ -4,6 +4,7 @@ use crate::contact::problem::Group;
 use crate::contact::problem::profile::{NEARLY, PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::geometry::Geometry;
+use crate::numeric::means::MeanWindow;
 use crate::scene::{Pressed, Punch, Punches, Tilt};
 
 /// The lowest place of a turned punch is looked for up to this distance from its tip, in units of L, and found by this number of halvings.
@@ -65,6 +66,11 @@ impl<'a> Placed<'a> {
         let [left, right] = self.ends;
         let from_tip = (x - self.at).clamp(left, right);
         self.profile.height(from_tip) + self.angle().unwrap_or(0.0) * from_tip
+    }
+
+    /// How much higher than at its lowest point, before it was turned, the punch is on average over a window, per unit of P'.
+    pub(crate) fn mean_height(&self, window: &MeanWindow) -> f64 {
+        self.profile.mean_height(window, self.at, self.angle().unwrap_or(0.0))
     }
 
     /// ∫ f' cos kφ dφ of its slope f' over x = m + w cos φ, for k from 0 on.

@@ -111,10 +111,13 @@ impl<'a> PunchProfile<'a> {
         self.height(x) - self.shape.lowest() / (self.length * self.force)
     }
 
-    /// How much higher than the lowest point the profile is on average about the middle of its contact, per unit of P'.
-    pub(crate) fn mean_height(&self, window: &MeanWindow) -> f64 {
-        let starts: Vec<f64> = self.shape.starts().iter().map(|start| start / self.length).collect();
-        window.of_profile(self.twin == Twin::Round, |x| self.height_above_lowest(x), &starts)[0]
+    /// How much higher than the lowest point the profile, turned by an angle about its tip, is on average about the middle of its contact, per unit of P'.
+    pub(crate) fn mean_height(&self, window: &MeanWindow, tip: f64, angle: f64) -> f64 {
+        let mut starts: Vec<f64> = self.shape.starts().iter().map(|start| tip + start / self.length).collect();
+        // powers are not smooth at the tip
+        starts.push(tip);
+        let height = |x: f64| self.height_above_lowest(x - tip) + angle * (x - tip);
+        window.of_profile(self.twin == Twin::Round, height, &starts)[0]
     }
 
     /// Slope at x (in units of L), per unit of P'.

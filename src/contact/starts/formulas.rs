@@ -5,7 +5,7 @@ use crate::contact::problem::load::Given;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::profile::PunchProfile;
 use crate::contact::problem::twin::Twin;
-use crate::contact::problem::{Prescribed, Problem, Side};
+use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::scene::{Punch, Top};
@@ -119,10 +119,9 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
 fn half_length(problem: &Problem, contact: usize, compliance: fn(&Kernel, f64) -> f64) -> Option<f64> {
     match &problem.sides[contact] {
         Side::Joined(half_length) => Some(*half_length),
-        Side::Profile(profile) => match problem.prescribed {
-            Some(Prescribed::HalfLength(half_length)) => Some(half_length),
-            _ => Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance))),
-        },
+        Side::Profile(profile) => problem
+            .prescribed_end()
+            .or_else(|| Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance)))),
         _ => None,
     }
 }

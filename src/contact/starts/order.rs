@@ -7,9 +7,9 @@
 use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::{self, Intervals, Refused};
+use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::iteration::Work;
-use crate::contact::problem::{Prescribed, Problem};
 use crate::contact::programme;
 use crate::contact::starts::formulas;
 use crate::solution::{Contact, Interval};
@@ -31,9 +31,9 @@ pub(crate) fn solve_in_order(
     let mut solve = |list: Intervals, refused: &mut Refused| intervals::solve(problem, list, refused, &mut work);
     let mut solved = first.and_then(|list| solve(list, refused));
     if solved.is_none() {
-        let second = match problem.prescribed {
-            Some(_) => under_expected_force(problem),
-            None => programme::touching(problem, &expected, refused.far)
+        let second = match problem.prescribed.is_empty() {
+            false => under_expected_force(problem),
+            true => programme::touching(problem, &expected, refused.far)
                 .and_then(|touching| intervals::of_formulas(problem, &touching)),
         };
         solved = second.and_then(|list| solve(list, refused));
@@ -53,17 +53,18 @@ pub(crate) fn of_low_accuracy(
 ) -> Result<Answer, ContactError> {
     too_small_for_certain(problem)?;
     let expected = formulas::anywhere(problem);
-    let answer = problem.prescribed.map_or_else(|| programme::answer(problem, &expected, refused.far), |_| None);
+    let is_given = problem.prescribed.is_empty();
+    let answer = is_given.then(|| programme::answer(problem, &expected, refused.far)).flatten();
     answer.ok_or(error).and_then(|answer| on_punches(problem, answer))
 }
 
 /// Where contacts are under the force that is expected to bring about what is prescribed: below the punch, as much longer or shorter as the contact of the punch is to be.
 fn under_expected_force(problem: &Problem) -> Option<Intervals> {
-    let given = Problem { prescribed: None, ..problem.on(problem.kernel, problem.interfaces, COARSE) };
+    let given = Problem { prescribed: Vec::new(), ..problem.on(problem.kernel, problem.interfaces, COARSE) };
     let mut refused = Refused::default();
     let answer = solve_in_order(&given, None, &mut refused);
     let mut contacts = answer.or_else(|error| of_low_accuracy(&given, &refused, error)).ok()?.contacts;
-    if let Some(Prescribed::HalfLength(half)) = problem.prescribed {
+    if let Some(half) = problem.prescribed_end().filter(|_| problem.is_even()) {
         let found = contacts.first()?.half_length()?;
         for contact in &mut contacts {
             let Some(own) = contact.half_length() else { continue };
@@ -76,7 +77,7 @@ fn under_expected_force(problem: &Problem) -> Option<Intervals> {
 
 /// Formulas may expect contacts that are too long: a punch is too small for certain if it is for the shortest contact there can be under a given force.
 fn too_small_for_certain(problem: &Problem) -> Result<(), ContactError> {
-    let is_possible = problem.prescribed.is_none() && problem.too_small(&formulas::half_lengths(problem)).is_some();
+    let is_possible = problem.prescribed.is_empty() && problem.too_small(&formulas::half_lengths(problem)).is_some();
     let error = if is_possible { problem.too_small(&formulas::shortest(problem)) } else { None };
     error.map_or(Ok(()), Err)
 }
