@@ -24,13 +24,6 @@ pub(super) struct Bands {
     unknown: Option<f64>,
 }
 
-/// A quantity on a grid: values row by row.
-pub(super) struct GridValues<'a> {
-    pub(super) xs: &'a [f64],
-    pub(super) ys: &'a [f64],
-    pub(super) values: &'a [f64],
-}
-
 impl Bands {
     /// For values between the ends of a scale. A quantity that may have both signs, whose values are right to `error`, has colours on both
     /// sides of a neutral zero.
@@ -60,10 +53,16 @@ impl Bands {
         signed(0.5 * (from + to) / low.abs().max(high.abs()))
     }
 
-    /// From the lowest band up, each over all that is higher: so no seams remain. Nothing where the value is not a number. A quantity that
-    /// may have both signs is neutral where it is less than its error, and has a line where it changes its sign by more than that.
-    pub(super) fn draw(&self, picture: &mut Picture, grid: &GridValues, place: impl Fn((f64, f64)) -> (f64, f64)) {
-        let GridValues { xs, ys, values } = grid;
+    /// Values on a grid, row by row: from the lowest band up, each over all that is higher, so no seams remain. Nothing where the value is not
+    /// a number. A quantity that may have both signs is neutral where it is less than its error, and has a line where it changes its sign by
+    /// more than that.
+    pub(super) fn draw(
+        &self,
+        picture: &mut Picture,
+        [xs, ys]: [&[f64]; 2],
+        values: &[f64],
+        place: impl Fn((f64, f64)) -> (f64, f64),
+    ) {
         let (low, high) = self.scale.ends();
         let clamped: Vec<f64> = values.iter().map(|value| value.clamp(low, high)).collect();
         let within = |(x, y): (f64, f64)| place((between(xs, x), between(ys, y)));
@@ -165,7 +164,7 @@ mod tests {
     fn drawn(values: &[f64], [xs, ys]: [&[f64]; 2], error: f64) -> Vec<String> {
         let mut picture = Picture::new(8.0, 4.0);
         let bands = Bands::new(Scale::around(values.iter().copied()), Some(error));
-        bands.draw(&mut picture, &GridValues { xs, ys, values }, |at| at);
+        bands.draw(&mut picture, [xs, ys], values, |at| at);
         picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect()
     }
 

@@ -11,8 +11,7 @@ const HALVINGS: usize = 60;
 /// Depths that layers have, and the heights at which they are drawn, in points downwards from the first.
 #[derive(Clone, Debug)]
 pub(super) struct DrawnDepths {
-    faces: Vec<f64>,
-    pub(super) heights: Vec<f64>,
+    pub(super) knots: Vec<(f64, f64)>,
     /// Points per length to scale.
     scale: f64,
 }
@@ -28,32 +27,27 @@ impl DrawnDepths {
         } else {
             scale * (lowest / height(scale).max(f64::MIN_POSITIVE)).max(1.0)
         };
-        let mut heights = vec![0.0];
-        heights.extend(thick.iter().scan(0.0, |y, h| {
-            *y += (low * h).max(least);
-            Some(*y)
-        }));
-        Self { faces, heights, scale }
+        let mut y = 0.0;
+        let below = thick.iter().map(|h| {
+            y += (low * h).max(least);
+            y
+        });
+        Self { knots: faces.into_iter().zip([0.0].into_iter().chain(below)).collect(), scale }
     }
 
     /// Height of all layers together.
     pub(super) fn height(&self) -> f64 {
-        self.heights.last().copied().unwrap_or(0.0)
-    }
-
-    /// Depths of the faces and their heights.
-    pub(super) fn knots(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.faces.iter().copied().zip(self.heights.iter().copied())
+        self.knots.last().map_or(0.0, |(_, height)| *height)
     }
 
     /// A sentence on the scale of the heights; `None` if they are to scale.
     pub(super) fn note(&self) -> Option<String> {
-        let pairs = self.faces.windows(2).zip(self.heights.windows(2));
-        let stretched = pairs.map(|(faces, heights)| (heights[1] - heights[0]) / (self.scale * (faces[1] - faces[0])));
+        let pairs = self.knots.windows(2);
+        let stretched = pairs.map(|pair| (pair[1].1 - pair[0].1) / (self.scale * (pair[1].0 - pair[0].0)));
         let (least, most) = stretched.fold((f64::INFINITY, 0.0_f64), |(least, most), r| (least.min(r), most.max(r)));
         let to_scale = (most - 1.0).abs() < SAME && (least - 1.0).abs() < SAME;
         let times = |ratio: f64| label(format!("{ratio:.1e}").parse().unwrap_or(ratio));
-        if self.faces.len() < 2 || to_scale {
+        if self.knots.len() < 2 || to_scale {
             None
         } else if most - least < SAME * most {
             Some(format!("depths drawn × {}", times(most)))
@@ -79,11 +73,11 @@ mod tests {
     #[test]
     fn thin_layers_are_seen_and_thick_ones_fit() {
         let depths = DrawnDepths::new(vec![0.0, 0.001, 1.0, 101.0], 100.0, [0.0, 200.0]);
-        assert!(depths.height() <= 200.001 && depths.heights[1] >= LEAST, "{depths:?}");
-        assert!(depths.heights.is_sorted_by(|a, b| a < b), "{depths:?}");
+        assert!(depths.height() <= 200.001 && depths.knots[1].1 >= LEAST, "{depths:?}");
+        assert!(depths.knots.is_sorted_by(|(_, a), (_, b)| a < b), "{depths:?}");
         assert!(depths.note().is_some_and(|note| note.contains("not to scale")));
         let to_scale = DrawnDepths::new(vec![0.0, 1.0, 1.5], 100.0, [0.0, 200.0]);
-        assert_eq!((to_scale.heights.clone(), to_scale.note()), (vec![0.0, 100.0, 150.0], None));
+        assert_eq!((to_scale.note(), to_scale.knots), (None, vec![(0.0, 0.0), (1.0, 100.0), (1.5, 150.0)]));
         let many = DrawnDepths::new((0..=1000).map(f64::from).collect(), 1.0, [0.0, 190.0]);
         assert!((many.height() - 190.0).abs() < 1e-6);
         assert_eq!(many.note().unwrap(), "depths drawn × 0.19");

@@ -1,5 +1,5 @@
 //! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
-use super::bands::{Bands, GridValues};
+use super::bands::Bands;
 use super::chart::{Chart, Frame, Labels, with_unit};
 use super::depths::DrawnDepths;
 use super::file::PlotError;
@@ -67,7 +67,7 @@ pub fn map(
     let chart = Chart {
         frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
         x,
-        y: Scale::bent(depths.knots(), on_ground).reversed(),
+        y: Scale::bent(&depths.knots, on_ground).reversed(),
         x_label: italic(along),
         x_unit: unit(scene, Dimension::LENGTH),
         y_label: "depth".into(),
@@ -193,8 +193,15 @@ impl Map<'_> {
     fn draw(&self, grids: &[Grid], bands: &Bands) -> Picture {
         let mut picture = Picture::new(WIDTH, HEIGHTS[1]);
         let Frame { left, top, right, bottom } = self.chart.frame;
+        let geometry = self.section.scene.geometry;
         for grid in grids {
-            self.bands(&mut picture, grid, bands);
+            let ys: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
+            let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, geometry)).collect();
+            // what is not known in this layer is left white
+            if ys.len() > 1 && values.iter().any(|value| !value.is_nan()) {
+                let values = filled(values, grid.xs().len());
+                bands.draw(&mut picture, [grid.xs(), &ys], &values, |point| self.chart.place(point));
+            }
         }
         if self.chart.y.ends().0 <= 0.0 {
             self.section.presses(&mut picture);
@@ -205,7 +212,7 @@ impl Map<'_> {
         let beside = right + self.interfaces(&mut picture);
         let ground = if self.on_ground { GROUND } else { 0.0 };
         self.chart.draw_with(&mut picture, ground);
-        let (name, dimension) = names::of_quantity(self.quantity, self.section.scene.geometry);
+        let (name, dimension) = names::of_quantity(self.quantity, geometry);
         let title = with_unit(&name, unit(self.section.scene, dimension).as_deref(), bands.scale.power());
         let lowest = bottom.max(top + BAR);
         bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest, &title);
@@ -221,19 +228,6 @@ impl Map<'_> {
             picture.text((left, first + LINE * i as f64), line, SMALL, INK, Anchor::Left);
         }
         picture.fitted()
-    }
-
-    fn bands(&self, picture: &mut Picture, grid: &Grid, bands: &Bands) {
-        let ys: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
-        let geometry = self.section.scene.geometry;
-        let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, geometry)).collect();
-        if ys.len() < 2 || values.iter().all(|value| value.is_nan()) {
-            // not known in this layer: left white
-            return;
-        }
-        let xs = grid.xs();
-        let values = filled(values, xs.len());
-        bands.draw(picture, &GridValues { xs, ys: &ys, values: &values }, |point| self.chart.place(point));
     }
 
     /// Bonded ones thin; receding ones bold where there is contact, dashed where they have opened; and how far their labels reach
@@ -257,8 +251,7 @@ impl Map<'_> {
             if depth < first || depth > last * (1.0 + SAME) {
                 continue;
             }
-            self.section.interface(picture, found, height(depth), touching);
-            labels.extend(found.map(|i| (height(depth), self.section.reach(i))));
+            labels.extend(self.section.interface(picture, found, height(depth), touching));
         }
         section::labels(picture, labels, Anchor::Left, [top, bottom], "labels")
     }

@@ -77,8 +77,7 @@ impl Scale {
 
     /// A range through ascending values that stand at these ascending heights in points, evenly between them: two at least. All of them
     /// are marked where there is room, the last one if it is a place to be marked.
-    pub(super) fn bent(knots: impl IntoIterator<Item = (f64, f64)>, last_is_marked: bool) -> Self {
-        let knots: Vec<(f64, f64)> = knots.into_iter().collect();
+    pub(super) fn bent(knots: &[(f64, f64)], last_is_marked: bool) -> Self {
         let scale = Self::around(knots.iter().map(|(value, _)| *value));
         let (Some((_, first)), Some((_, last))) = (knots.first(), knots.last()) else { return scale };
         let share = |(value, at): &(f64, f64)| (*value, (at - first) / (last - first));
@@ -155,8 +154,7 @@ impl Scale {
             }
         }
         values.sort_by(f64::total_cmp);
-        let text = |value: f64| short(value / unit);
-        values.into_iter().map(|value| Tick { value, label: text(value) }).collect()
+        values.into_iter().map(|value| Tick { value, label: short(value / unit) }).collect()
     }
 
     /// Powers of ten, or 1, 2, 5 times them over short ranges, and between them marks without a label.
@@ -285,7 +283,7 @@ mod tests {
 
     #[test]
     fn distances_may_differ() {
-        let scale = Scale::bent([(0.0, 0.0), (0.01, 20.0), (1.01, 100.0)], true);
+        let scale = Scale::bent(&[(0.0, 0.0), (0.01, 20.0), (1.01, 100.0)], true);
         assert_eq!((scale.share(0.0), scale.share(0.01), scale.share(1.01)), (0.0, 0.2, 1.0));
         assert!((scale.share(0.51) - 0.6).abs() < 1e-12);
         let labels = labels(&scale);

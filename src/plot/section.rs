@@ -69,8 +69,14 @@ impl<'a> Section<'a> {
     }
 
     /// An interface, which is a contact if one is found there, from side to side at the height `y`: as bold as `touching` where bodies touch,
-    /// dashed where they have opened.
-    pub(super) fn interface(&self, picture: &mut Picture, found: Option<usize>, y: f64, touching: Stroke) {
+    /// dashed where they have opened. Returns the height with a label of a contact, which says how far bodies touch.
+    pub(super) fn interface(
+        &self,
+        picture: &mut Picture,
+        found: Option<usize>,
+        y: f64,
+        touching: Stroke,
+    ) -> Option<(f64, String)> {
         let contact = found.map(|i| &self.contacts[i]);
         let open = match contact.map(|contact| contact.interface) {
             Some(Interface::Between { .. }) => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
@@ -84,11 +90,7 @@ impl<'a> Section<'a> {
             from = stop;
         }
         picture.line(&[(from, y), (WIDTH, y)], open);
-    }
-
-    /// How far bodies touch in a contact.
-    pub(super) fn reach(&self, contact: usize) -> String {
-        reach(self.scene, &self.contacts[contact], &self.symbols[contact].0)
+        found.map(|i| (y, reach(self.scene, &self.contacts[i], &self.symbols[i].0)))
     }
 }
 

@@ -56,7 +56,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
         layers,
         middle,
         bottom: base.unwrap_or(depths.height() + GROUND),
-        heights: depths.heights.iter().copied().chain(base).collect(),
+        heights: depths.knots.iter().map(|(_, height)| *height).chain(base).collect(),
     };
     let mut picture = Picture::new(WIDTH, HIGHEST);
     drawing.layers(&mut picture);
@@ -157,8 +157,7 @@ impl Drawing<'_> {
             if self.is_ground && face == self.layers.len() {
                 self.section.interface(picture, None, *y, touching);
             }
-            self.section.interface(picture, found, *y, touching);
-            labels.extend(found.map(|i| (*y, self.section.reach(i))));
+            labels.extend(self.section.interface(picture, found, *y, touching));
             let intervals = found.map_or(&[][..], |i| contacts[i].intervals());
             for x in intervals.iter().flat_map(|own| [own.left, own.right]).map(|end| self.section.x(end)) {
                 picture.line(&[(x, y - 4.0), (x, y + 4.0)], Stroke { width: 1.2, ..touching });

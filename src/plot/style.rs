@@ -29,15 +29,11 @@ const DEEPEST: f64 = 0.82;
 /// Dashes and spaces, so that lines differ also where colours do not.
 const DASHES: [Option<(f64, f64)>; 4] = [None, Some((7.0, 3.0)), Some((1.6, 2.4)), Some((12.0, 3.0))];
 
-/// The line of curve `index` of `count`: from dark to light in the order of the curves, each dashed otherwise.
+/// The line of curve `index` of `count`: from dark to light in the order of the curves, brightness changing evenly, each dashed
+/// otherwise.
 pub fn curve(index: usize, count: usize) -> Stroke {
     let share = if count > 1 { index as f64 / (count - 1) as f64 } else { 0.0 };
-    Stroke { colour: shade(DARK * share), width: BOLD, dash: DASHES[index % DASHES.len()] }
-}
-
-/// A colour from dark (0) to bright (1), brightness changing evenly.
-pub fn shade(share: f64) -> Colour {
-    of_map(colorous::VIRIDIS, share)
+    Stroke { colour: of_map(colorous::VIRIDIS, DARK * share), width: BOLD, dash: DASHES[index % DASHES.len()] }
 }
 
 /// A colour for an area, from light (0) to dark (1), brightness changing evenly: the map "magma" from its light end on.

@@ -1,5 +1,5 @@
 //! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below.
-use super::bands::{Bands, GridValues};
+use super::bands::Bands;
 use super::chart::{Chart, Curve, Frame, Labels, hidden, with_unit};
 use super::file::PlotError;
 use super::names::{Dimension, of_contact, of_path, symbols, unit};
@@ -197,7 +197,7 @@ impl<'a> Layout<'a> {
         }
         let chart = self.chart(plane, scale_of(&self.sweep.axes()[axes[1]], self.most[1]), Vec::new());
         let bands = Bands::new(Scale::around(values.iter().copied()), None);
-        bands.draw(picture, &GridValues { xs: &xs, ys: &ys, values: &values }, |place| chart.place(place));
+        bands.draw(picture, [&xs, &ys], &values, |place| chart.place(place));
         chart.draw(picture);
         let Frame { right, top, bottom, .. } = chart.frame;
         let title = with_unit(&plane.label, plane.unit.as_deref(), bands.scale.power());
