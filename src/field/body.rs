@@ -5,7 +5,7 @@ use std::sync::Arc;
 use recede_layers::{Layer, Material, State, Wave};
 
 use super::pressure::ContactPressure;
-use super::surface::{Components, Surface};
+use super::surface::{Components, Remainder, Surface};
 use crate::stack::{Placed, Stack};
 use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
 
@@ -93,29 +93,9 @@ pub(super) struct LoadedBody {
     /// The contact on its top face; that on the bottom face is the next one.
     pub(super) contact: usize,
     /// The faces, top first, whose slowly converging part is known in closed form.
-    pub(super) faces: [Option<LoadedFace>; 2],
+    pub(super) faces: [Option<Surface>; 2],
     /// The depth from whose point in the middle v is counted.
     pub(super) reference: Option<DepthRow>,
-}
-
-/// A loaded face.
-#[derive(Clone, Debug)]
-pub(super) struct LoadedFace {
-    pub(super) surface: Surface,
-    /// The difference of the fields next to the face and the closed form.
-    pub(super) remainder: Remainder,
-}
-
-/// A remainder for short waves, size·λ^(−power) per unit of p̂.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Remainder {
-    pub(super) size: f64,
-    pub(super) power: f64,
-}
-
-impl Remainder {
-    /// The remainder of a homogeneous material.
-    const NONE: Self = Self { size: 0.0, power: 2.0 };
 }
 
 /// The layers from the top down, without layers of thickness 0.
@@ -163,7 +143,7 @@ impl LoadedBody {
     }
 
     /// A loaded face, 0 on top or 1 at the bottom, of the layer that has it.
-    fn face(&self, side: usize, placed: &PlacedLayer, pressure: &ContactPressure, unit: Wave) -> Option<LoadedFace> {
+    fn face(&self, side: usize, placed: &PlacedLayer, pressure: &ContactPressure, unit: Wave) -> Option<Surface> {
         let Wave { plane, modulus, .. } = unit;
         let material = |distance: f64| match placed.thickness {
             Some(thickness) if side == 1 => placed.layer.material((thickness - distance).max(0.0), plane),
@@ -178,7 +158,7 @@ impl LoadedBody {
             whole.shift = f64::INFINITY;
             let remainder = |l: f64| self.remainder(&whole, side, placed, &Wave { wavenumber: l / length, ..unit });
             if [1e-3, 0.1, 1.0, 10.0].into_iter().all(|l| remainder(l).is_some_and(|part| part < NEGLIGIBLE)) {
-                return Some(LoadedFace { surface: whole, remainder: Remainder::NONE });
+                return Some(whole);
             }
         }
         let short = SHORT / surface.shift;
@@ -188,11 +168,12 @@ impl LoadedBody {
         let remainders: Vec<f64> = remainders.collect::<Option<_>>()?;
         let (first, last) = (remainders[0], remainders[DOUBLINGS - 1]);
         if last <= NEGLIGIBLE {
-            return Some(LoadedFace { surface, remainder: Remainder::NONE });
+            return Some(surface);
         }
         let power = ((first / last).log2() / (DOUBLINGS - 1) as f64).clamp(0.0, 3.0);
         let size = remainders.iter().zip(waves).map(|(remainder, wave)| remainder * wave.wavenumber.powf(power));
-        Some(LoadedFace { surface, remainder: Remainder { size: size.fold(0.0, f64::max), power } })
+        surface.remainder = Remainder { size: size.fold(0.0, f64::max), power };
+        Some(surface)
     }
 
     /// The remainder of the stresses next to a face, per unit load on it: the largest difference between the stresses of the body and of the surface.

@@ -2,8 +2,9 @@
 use std::f64::consts::PI;
 
 use super::Field;
-use super::body::{DepthRow, PlacedLayer, Remainder};
+use super::body::{DepthRow, PlacedLayer};
 use super::pressure::ContactPressure;
+use super::surface::Remainder;
 use super::waves::{self, Precision};
 
 /// Bisections of the logarithm of a cut-off: 14 take the whole range of doubles to five per cent, more gain nothing.
@@ -49,20 +50,48 @@ impl FieldDecay<'_> {
         let measure = if self.pressure.is_round() { from / (1.0 + from * self.length).sqrt() } else { PI.recip() };
         self.pressure.envelope(from) * measure / self.pressure.mean(self.length)
     }
+}
 
-    /// The wavenumber beyond which fields are negligible; `most` if there is none below.
-    fn end(&self, precision: &Precision, most: f64) -> f64 {
-        let exponential = precision.exponent / self.distance;
-        if self.remainder.is_none() {
-            return exponential.min(most);
+impl Field {
+    /// The decay of fields with the wavenumber at a depth, for the contacts above and below its body; none where closed forms have no
+    /// remainder.
+    pub(super) fn decays(&self, row: &DepthRow) -> impl Iterator<Item = (usize, FieldDecay<'_>)> {
+        let placed = &self.layers[row.layer];
+        let (body, depth) = (&self.bodies[placed.body], row.depth);
+        let is_outermost = [placed.place == 0, placed.place + 1 == body.layers.len()];
+        let of = move |(side, contact): (usize, usize)| {
+            let face = body.faces[side].as_ref().filter(|_| is_outermost[side]);
+            let shift = Some(face.map_or(0.0, |face| face.shift)).filter(|shift| !shift.is_infinite())?;
+            let distance = self.distance(placed, depth, side == 0);
+            let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
+            let pressure = &self.pressures[contact];
+            let decay = FieldDecay {
+                distance,
+                reflected: (distance + shift).min(2.0 * thickness - distance),
+                remainder: face.map(|face| face.remainder),
+                pressure,
+                length: Some(pressure.half_length.max(shift)).filter(|a| *a > 0.0).unwrap_or(self.length(contact)),
+            };
+            Some((contact, decay))
+        };
+        body.contacts().enumerate().filter_map(of)
+    }
+
+    /// The wavenumber beyond which fields are negligible, and no sum with places as far out as `farthest` goes; a force that has no length is
+    /// cut off at the places.
+    pub(super) fn end(&self, contact: usize, decay: &FieldDecay, precision: &Precision, farthest: f64) -> f64 {
+        let length = Some(self.length(contact)).filter(|length| *length > 0.0).unwrap_or(farthest);
+        let most = waves::MOST.min(precision.evaluations / (waves::PER_PHASE * self.layers.len() as f64)) / length;
+        let mut hi = (precision.exponent / decay.distance).min(most);
+        if decay.remainder.is_none() {
+            return hi;
         }
-        let tolerance = if self.distance > 0.0 { precision.inside } else { precision.on_face };
-        let (mut lo, mut hi) =
-            ((precision.exponent / self.reflected).min(exponential).min(most), exponential.min(most));
-        if self.direct(lo) <= tolerance {
+        let tolerance = if decay.distance > 0.0 { precision.inside } else { precision.on_face };
+        let mut lo = (precision.exponent / decay.reflected).min(hi);
+        if decay.direct(lo) <= tolerance {
             return lo;
         }
-        if self.direct(hi) > tolerance {
+        if decay.direct(hi) > tolerance {
             return hi;
         }
         for _ in 0..HALVINGS {
@@ -70,53 +99,14 @@ impl FieldDecay<'_> {
                 break;
             }
             let middle = (lo * hi).sqrt();
-            if self.direct(middle) > tolerance { lo = middle } else { hi = middle }
+            if decay.direct(middle) > tolerance { lo = middle } else { hi = middle }
         }
         hi
-    }
-}
-
-impl Field {
-    /// The decay of fields with the wavenumber at a depth, for the contacts next to its body; `None` where closed forms have no
-    /// remainder.
-    pub(super) fn decays(&self, row: &DepthRow) -> impl Iterator<Item = (usize, Option<FieldDecay<'_>>)> {
-        let placed = &self.layers[row.layer];
-        let (body, depth) = (&self.bodies[placed.body], row.depth);
-        body.contacts().enumerate().map(move |(side, contact)| (contact, self.decay(placed, depth, side, contact)))
-    }
-
-    /// The decay of what the contact above or below a body, side 0 or 1, does at a depth.
-    fn decay(&self, placed: &PlacedLayer, depth: f64, side: usize, contact: usize) -> Option<FieldDecay<'_>> {
-        let (body, above) = (&self.bodies[placed.body], side == 0);
-        let is_outermost = if above { placed.place == 0 } else { placed.place + 1 == body.layers.len() };
-        let face = body.faces[side].as_ref().filter(|_| is_outermost);
-        let shift = face.map_or(0.0, |face| face.surface.shift);
-        if shift.is_infinite() {
-            return None;
-        }
-        let distance = self.distance(placed, depth, above);
-        let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
-        let pressure = &self.pressures[contact];
-        Some(FieldDecay {
-            distance,
-            reflected: (distance + shift).min(2.0 * thickness - distance),
-            remainder: face.map(|face| face.remainder),
-            pressure,
-            length: Some(pressure.half_length.max(shift)).filter(|a| *a > 0.0).unwrap_or(self.length(contact)),
-        })
-    }
-
-    /// The last wavenumber of a sum with places as far out as `farthest`; a force that has no length is cut off at the places.
-    pub(super) fn end(&self, contact: usize, decay: &FieldDecay, precision: &Precision, farthest: f64) -> f64 {
-        let length = Some(self.length(contact)).filter(|length| *length > 0.0).unwrap_or(farthest);
-        let most = waves::MOST.min(precision.evaluations / (waves::PER_PHASE * self.layers.len() as f64));
-        decay.end(precision, most / length)
     }
 
     /// A bound on the truncation error of the sums over wavenumbers in the stresses at a point of a row.
     pub(super) fn truncation(&self, row: &DepthRow, x: f64, precision: &Precision) -> f64 {
-        let of = |(contact, decay): (usize, Option<FieldDecay>)| {
-            let Some(decay) = decay else { return 0.0 };
+        let of = |(contact, decay): (usize, FieldDecay)| {
             let end = self.end(contact, &decay, precision, x.abs());
             // waves shorter than the distance from where the pressure is not smooth cancel
             let cancelled = (end * self.pressures[contact].distance(x)).recip().min(1.0);
@@ -126,7 +116,7 @@ impl Field {
     }
 
     /// The distance of the loaded face above or below a depth, in lengths over which fields decay by e at λ = 1.
-    pub(super) fn distance(&self, placed: &PlacedLayer, depth: f64, above: bool) -> f64 {
+    fn distance(&self, placed: &PlacedLayer, depth: f64, above: bool) -> f64 {
         let within = if above { depth } else { (placed.thickness.unwrap_or(f64::INFINITY) - depth).max(0.0) };
         let layers = &self.layers[self.bodies[placed.body].layers.clone()];
         let between = if above { &layers[..placed.place] } else { &layers[placed.place + 1..] };

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::error::FieldError;
-use super::measure::{ExtremeSearch, Measure};
+use super::measure::Measure;
 use super::search::{HighestPlace, highest};
 use super::{Field, PlacedLayer, Point, waves};
 use crate::system::Unresolved;
@@ -91,8 +91,7 @@ impl Field {
     /// # Errors
     /// [`FieldError::Unresolved`] if the fields cannot be computed.
     pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
-        let search = ExtremeSearch { measure: Measure::MaxShear, layer: None };
-        let found = highest(self, &[search])?.into_iter().next().flatten();
+        let found = highest(self, &[(Measure::MaxShear, None)])?.into_iter().next().flatten();
         let HighestPlace { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
         let placed = &self.layers[layer];
         Ok(MaxShear { value, x: self.middle + x, depth: placed.top + depth, layer: placed.number })
@@ -110,11 +109,10 @@ impl Field {
     /// If the fields cannot be computed.
     pub fn extremes(&self) -> Result<Extremes, FieldError> {
         let (layers, bonds) = (0..self.layers.len(), self.bonds());
-        let mut searches = vec![ExtremeSearch { measure: Measure::Tension, layer: None }];
-        searches.extend(layers.clone().map(|layer| ExtremeSearch { measure: Measure::VonMises, layer: Some(layer) }));
+        let mut searches = vec![(Measure::Tension, None)];
+        searches.extend(layers.clone().map(|layer| (Measure::VonMises, Some(layer))));
         for (layer, _) in &bonds {
-            let of_face = [Measure::FaceShear, Measure::FaceTension];
-            searches.extend(of_face.map(|measure| ExtremeSearch { measure, layer: Some(*layer) }));
+            searches.extend([Measure::FaceShear, Measure::FaceTension].map(|measure| (measure, Some(*layer))));
         }
         let mut extremes = self.exact(&highest(self, &searches)?)?.into_iter();
         let mut next = || extremes.next().flatten();

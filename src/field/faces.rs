@@ -35,8 +35,9 @@ impl Field {
     /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure of a contact: it is
     /// flattened like a half-plane.
     pub(crate) fn flattening(&self, contact: usize, material: &Isotropic, xs: &[f64]) -> Vec<f64> {
-        let half_plane = Surface::of_half_plane(material.material(self.geometry.plane()), self.modulus);
-        let Some(surface) = half_plane else { return vec![0.0; xs.len()] };
+        let material = material.material(self.geometry.plane());
+        let Some(mut surface) = Surface::new(&|_| material, 1.0, self.modulus) else { return vec![0.0; xs.len()] };
+        surface.shift = f64::INFINITY;
         let pressure = &self.pressures[contact];
         xs.iter().map(|x| -surface.closed(pressure, self.place(*x), 0.0, true)[4]).collect()
     }

@@ -31,11 +31,6 @@ impl Measure {
         }
     }
 
-    /// Whether it is searched for in the surroundings of the loads only, where shear stresses are largest, and not far from them.
-    pub(super) fn is_near_loads(self) -> bool {
-        self == Self::MaxShear
-    }
-
     /// Whether the square of the stress is smooth where the stress is 0, and the stress itself is not.
     fn is_norm(self) -> bool {
         matches!(self, Self::MaxShear | Self::VonMises | Self::FaceShear)
@@ -58,10 +53,5 @@ impl Measure {
     }
 }
 
-/// A stress and the layers in which its largest value is searched for.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ExtremeSearch {
-    pub(super) measure: Measure,
-    /// Index of the layer; `None` for all of them.
-    pub(super) layer: Option<usize>,
-}
+/// A stress whose largest value is searched for, and the index of the layer in which it is; `None` for all of them.
+pub(super) type ExtremeSearch = (Measure, Option<usize>);

@@ -49,19 +49,13 @@ impl LayerPiece {
         [0, 1].map(|axis| !goes_on(axis, 0) && !goes_on(axis, 1))
     }
 
-    /// The piece whose points are no farther from a place than this.
-    pub(super) fn about(&self, place: Pair<f64>, reach: Pair<f64>) -> Self {
-        let ends = [0, 1].map(|axis| {
+    /// A piece alone, to be sampled, whose points are no farther from a place than this.
+    pub(super) fn about(&self, place: Pair<f64>, reach: Pair<f64>) -> Pieces {
+        let intervals = [0, 1].map(|axis| {
             let [first, last] = self.smooth[axis];
-            [(place[axis] - reach[axis]).max(first), (place[axis] + reach[axis]).min(last)]
+            vec![[[(place[axis] - reach[axis]).max(first), (place[axis] + reach[axis]).min(last)], [first, last]]]
         });
-        Self { ends, ..*self }
-    }
-
-    /// The piece alone, to be sampled.
-    pub(super) fn alone(&self) -> Pieces {
-        let Self { layer, ends, smooth } = *self;
-        Pieces { layer, intervals: [0, 1].map(|axis| vec![[ends[axis], smooth[axis]]]) }
+        Pieces { layer: self.layer, intervals }
     }
 }
 

@@ -116,12 +116,12 @@ pub(super) fn highest(field: &Field, searches: &[ExtremeSearch]) -> Result<Vec<O
     if field.length(0) == 0.0 || infinite.iter().all(Option::is_some) {
         return Ok(infinite);
     }
-    // far from the loads stresses may be smaller than what is left out
-    let is_near = searches.iter().all(|search| search.measure.is_near_loads());
+    // shear stresses are largest in the surroundings of the loads; far from them stresses may be smaller than what is left out
+    let is_near = searches.iter().all(|(measure, _)| *measure == Measure::MaxShear);
     let first = if is_near { &waves::COARSE } else { &waves::LOW };
     let samples: Vec<PieceSample> =
         PieceSample::all(field, &Pieces::all(field, is_near), first)?.into_iter().flatten().collect();
-    let candidates = |(ExtremeSearch { measure, layer }, infinite): (&ExtremeSearch, &Option<HighestPlace>)| {
+    let candidates = |((measure, layer), infinite): (&ExtremeSearch, &Option<HighestPlace>)| {
         if infinite.is_some() {
             return Vec::new();
         }
@@ -152,7 +152,7 @@ pub(super) fn highest(field: &Field, searches: &[ExtremeSearch]) -> Result<Vec<O
 
 /// Where on the top face a stress is infinite: at a singular point next to which it grows in some direction. The closed forms tell: the rest of
 /// the field is finite.
-fn infinite(field: &Field, &ExtremeSearch { measure, layer }: &ExtremeSearch) -> Option<HighestPlace> {
+fn infinite(field: &Field, &(measure, layer): &ExtremeSearch) -> Option<HighestPlace> {
     if layer.unwrap_or(0) != 0 || measure.is_on_face() {
         return None;
     }
@@ -182,7 +182,7 @@ fn next_to(field: &Field, measure: Measure, x: f64, distance: f64) -> (f64, f64)
 /// Follows some candidates; whether there are any.
 fn follow(field: &Field, mut chosen: Vec<&mut Candidate>, precision: &Precision) -> Result<bool, FieldError> {
     let is_exact = precision.inside <= waves::STRESSES.inside;
-    let smaller = |one: &&mut Candidate| one.piece.about(one.expected.0, one.reach).alone();
+    let smaller = |one: &&mut Candidate| one.piece.about(one.expected.0, one.reach);
     let samples = PieceSample::all(field, &chosen.iter().map(smaller).collect::<Vec<_>>(), precision)?;
     for (one, samples) in chosen.iter_mut().zip(samples) {
         let layer = one.piece.layer;

@@ -7,11 +7,11 @@ use faer::{Accum, MatMut, MatRef, Par};
 use num_complex::Complex64;
 use recede_layers::{State, Wave};
 
-use super::body::{DepthRow, LoadedBody, LoadedFace, PlacedLayer, Rows, components};
+use super::body::{DepthRow, LoadedBody, PlacedLayer, Rows, components};
 use super::error::FieldError;
 use super::joints::Motion;
 use super::pressure::ContactPressure;
-use super::surface::{COMPONENTS, Components};
+use super::surface::{COMPONENTS, Components, Surface};
 use super::transform::Transform;
 use super::waves::{self, CutOff, Precision, WavePanel};
 use super::{FaceLoad, Field};
@@ -48,7 +48,7 @@ fn faces<'a>(
     body: &'a LoadedBody,
     placed: &'a PlacedLayer,
     depth: f64,
-) -> impl Iterator<Item = (&'a LoadedFace, usize, f64)> + use<'a> {
+) -> impl Iterator<Item = (&'a Surface, usize, f64)> + use<'a> {
     let top = (placed.place == 0).then_some(depth);
     let bottom =
         (placed.place + 1 == body.layers.len()).then(|| placed.thickness.map(|h| (h - depth).max(0.0))).flatten();
@@ -108,7 +108,7 @@ impl Field {
         let mut sum = Components::default();
         for (face, contact, distance) in faces(&self.bodies[placed.body], placed, depth) {
             let pressure = &self.pressures[contact];
-            let closed = face.surface.closed(pressure, x, distance, displacements);
+            let closed = face.closed(pressure, x, distance, displacements);
             sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
             if let Some(sinks) = pressure.singularity(x).filter(|_| distance == 0.0) {
                 // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
@@ -137,17 +137,17 @@ impl Field {
         // for each body and part of the field the measure of the longest waves
         let mut longest = vec![[0.0; 2]; self.bodies.len()];
         for panel in &panels {
-            let waves = self.waves(panel, &cut_offs);
+            let transforms = self.transforms(panel, &cut_offs);
             // of each part component c of row k at the wavenumber q stands at (6k + c)·n + q
-            let mut blocks = vec![vec![0.0; COMPONENTS * waves.wavenumbers.len() * active.len()]; parts];
+            let mut blocks = vec![vec![0.0; COMPONENTS * panel.wavenumbers.len() * active.len()]; parts];
             for (part, block) in blocks.iter_mut().enumerate() {
                 for (body, origin) in origins.iter().enumerate() {
                     let longest = &mut longest[body][part];
-                    self.add_body((body, part), &waves, &mut active, (*origin, longest), block)?;
+                    self.add_body((body, part), (panel, &transforms), &mut active, (*origin, longest), block)?;
                 }
             }
             for sum in &mut sums {
-                sum.add(self.geometry, &waves, &blocks, &active);
+                sum.add(self.geometry, panel, &blocks, &active);
             }
         }
         for sum in &sums {
@@ -172,7 +172,7 @@ impl Field {
         // the last wavenumber of a row
         let mut end_of = |row: &DepthRow| {
             self.decays(row).fold(0.0, |last: f64, (contact, decay)| {
-                let end = decay.map_or(0.0, |decay| self.end(contact, &decay, precision, farthest));
+                let end = self.end(contact, &decay, precision, farthest);
                 pressures[contact].end = pressures[contact].end.max(end);
                 last.max(end)
             })
@@ -189,18 +189,16 @@ impl Field {
         (pressures, origins, active)
     }
 
-    /// The wavenumbers of a panel, with the transforms of the pressures there.
-    fn waves<'a>(&self, panel: &'a WavePanel, cut_offs: &[CutOff]) -> PanelWaves<'a> {
-        let (wavenumbers, weights) = panel.points();
+    /// The transforms of the pressures, contact by contact, at the wavenumbers of a panel.
+    fn transforms(&self, panel: &WavePanel, cut_offs: &[CutOff]) -> Vec<Vec<Transform>> {
         let of = |(pressure, cut_off): (&ContactPressure, &CutOff)| match cut_off.end > panel.lo {
-            true => pressure.transforms(&wavenumbers),
+            true => pressure.transforms(&panel.wavenumbers),
             false => {
                 let left_out = |l: &f64| Transform { value: Complex64::ZERO, variation: -pressure.long_waves(*l) };
-                wavenumbers.iter().map(left_out).collect()
+                panel.wavenumbers.iter().map(left_out).collect()
             }
         };
-        let transforms = self.pressures.iter().zip(cut_offs).map(of).collect();
-        PanelWaves { panel, wavenumbers, weights, transforms }
+        self.pressures.iter().zip(cut_offs).map(of).collect()
     }
 
     /// The transformed components of a part of the field, times weights, in all rows of a body whose cut-off is beyond the first wavenumber, and their lifts from the
@@ -208,13 +206,13 @@ impl Field {
     fn add_body(
         &self,
         (index, part): (usize, usize),
-        waves: &PanelWaves,
+        (panel, transforms): (&WavePanel, &[Vec<Transform>]),
         active: &mut [Active],
         (origin, longest): (f64, &mut f64),
         block: &mut [f64],
     ) -> Result<(), FieldError> {
         let (body, (counted, _)) = (&self.bodies[index], CHANNELS[part].counted);
-        let (from, n) = (waves.panel.lo, waves.wavenumbers.len());
+        let (from, n) = (panel.lo, panel.wavenumbers.len());
         // (depth, row or `None` for the reference point), layer by layer
         let mut wanted: Vec<Vec<(f64, Option<usize>)>> = vec![Vec::new(); body.layers.len()];
         for (k, active) in active.iter().enumerate().filter(|(_, active)| active.end > from) {
@@ -235,9 +233,9 @@ impl Field {
         let layers = &self.layers[body.layers.clone()];
         let mut lifted = vec![0.0; active.len()];
         let reach = body.contacts().map(|contact| self.length(contact)).fold(self.thickness(), f64::max);
-        for (q, (wavenumber, weight)) in waves.wavenumbers.iter().zip(&waves.weights).enumerate() {
+        for (q, (wavenumber, weight)) in panel.wavenumbers.iter().zip(&panel.weights).enumerate() {
             let wave = Wave { wavenumber: *wavenumber, modulus: self.modulus, plane: self.geometry.plane() };
-            let transform = |contact: usize| waves.transforms[contact][q].part(part);
+            let transform = |contact: usize| transforms[contact][q].part(part);
             let load = load(body, *wavenumber, transform);
             let states = body.states(&wave, &depths, &load).ok_or(Unresolved { wavenumber: *wavenumber })?;
             let mut at_reference = 0.0;
@@ -285,7 +283,7 @@ impl Field {
     ) -> Components {
         let mut remainder = components(state, &placed.layer.material(depth, self.geometry.plane()), self.modulus);
         for (face, contact, distance) in faces(body, placed, depth) {
-            let surface = face.surface.transformed(wavenumber, distance);
+            let surface = face.transformed(wavenumber, distance);
             let [pressure, _] = transform(contact);
             remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= pressure * surface);
         }
@@ -310,15 +308,6 @@ fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2
     }
 }
 
-/// The wavenumbers of one panel, with the transforms of the pressures.
-struct PanelWaves<'a> {
-    panel: &'a WavePanel,
-    wavenumbers: Vec<f64>,
-    weights: Vec<f64>,
-    /// Transforms of the pressures, contact by contact.
-    transforms: Vec<Vec<Transform>>,
-}
-
 /// The sums over wavenumbers at the places of one set, for its rows: column by column, one value per place.
 struct WaveSums<'a> {
     places: &'a [f64],
@@ -337,13 +326,13 @@ impl<'a> WaveSums<'a> {
     }
 
     /// Adds a panel, with the transformed components of all parts.
-    fn add(&mut self, geometry: Geometry, waves: &PanelWaves, blocks: &[Vec<f64>], active: &[Active]) {
-        let (n, m) = (waves.wavenumbers.len(), self.places.len());
-        let count = active[self.rows.clone()].partition_point(|active| active.end > waves.panel.lo);
+    fn add(&mut self, geometry: Geometry, panel: &WavePanel, blocks: &[Vec<f64>], active: &[Active]) {
+        let (n, m) = (panel.wavenumbers.len(), self.places.len());
+        let count = active[self.rows.clone()].partition_point(|active| active.end > panel.lo);
         if count == 0 || m == 0 {
             return;
         }
-        let tables = waves.panel.tables(geometry, self.places, &waves.wavenumbers);
+        let tables = panel.tables(geometry, self.places);
         // the stress about the axis takes the displacement from it
         let wanted = match (self.displacements, geometry) {
             (true, _) => COMPONENTS,

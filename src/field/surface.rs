@@ -38,6 +38,15 @@ pub(super) struct Surface {
     pub(super) is_round: bool,
     /// −1 for a face that is the bottom of its body: V and T change their signs.
     pub(super) up: f64,
+    /// The difference of the fields next to the face and the closed form.
+    pub(super) remainder: Remainder,
+}
+
+/// A remainder for short waves, size·λ^(−power) per unit of p̂.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Remainder {
+    pub(super) size: f64,
+    pub(super) power: f64,
 }
 
 /// e^(−st) times polynomials in t, s being a root of the characteristic equation of the material.
@@ -73,12 +82,10 @@ impl Surface {
             Some(plain) => vec![RootTerm::double(&state, &slope, &plain, modulus / unit)],
             None => RootTerm::simple(&at_face, modulus)?,
         };
-        Some(Self { terms, modulus, shift: depth.min(grading(&slope).recip()), is_round: false, up: 1.0 })
-    }
-
-    /// The face of a homogeneous half-plane.
-    pub(super) fn of_half_plane(material: Material, modulus: f64) -> Option<Self> {
-        Some(Self { shift: f64::INFINITY, ..Self::new(&|_| material, 1.0, modulus)? })
+        let shift = depth.min(grading(&slope).recip());
+        // of a homogeneous material nothing remains
+        let remainder = Remainder { size: 0.0, power: 2.0 };
+        Some(Self { terms, modulus, shift, is_round: false, up: 1.0, remainder })
     }
 
     /// How far below a place terms with 1/λ are taken that are subtracted.

@@ -92,34 +92,23 @@ pub(super) struct WavePanel {
     pub(super) lo: f64,
     pub(super) hi: f64,
     rule: &'static Rule,
-    /// Whether the panel begins at λ = 0, and the integrand there is a power of λ.
-    power: bool,
+    pub(super) wavenumbers: Vec<f64>,
+    pub(super) weights: Vec<f64>,
     /// Whether waves at the farthest places oscillate between its points.
     far: bool,
 }
 
 impl WavePanel {
-    /// Wavenumbers and weights.
-    pub(super) fn points(&self) -> (Vec<f64>, Vec<f64>) {
-        if !self.power {
-            return self.rule.on(self.lo, self.hi).unzip();
-        }
-        let stretched = |(t, weight): (f64, f64)| {
-            let before = self.hi * t.powi(STRETCH - 1);
-            (before * t, f64::from(STRETCH) * before * weight)
-        };
-        self.rule.on(0.0, 1.0).map(stretched).unzip()
-    }
-
     /// sin λx, cos λx and cos λx − 1, without cancellation, wavenumber by wavenumber; in an axisymmetric problem Bessel functions in their place.
     /// Where they oscillate between the wavenumbers of the panel, the factors of [`Self::wave`] in place of e^(iλx).
-    pub(super) fn tables(&self, geometry: Geometry, places: &[f64], wavenumbers: &[f64]) -> [Vec<f64>; 3] {
+    pub(super) fn tables(&self, geometry: Geometry, places: &[f64]) -> [Vec<f64>; 3] {
         let is_round = geometry.is_axisymmetric();
-        let phases = phases(places, wavenumbers);
+        let phases = self.wavenumbers.iter().flat_map(|wavenumber| places.iter().map(move |x| wavenumber * x));
+        let phases: Vec<f64> = phases.collect();
         let mut tables = if is_round { round(&phases) } else { trigonometry::waves(&phases) };
         for (k, x) in places.iter().enumerate() {
             let Some(waves) = self.wave(*x) else { continue };
-            for (q, (wave, wavenumber)) in waves.into_iter().zip(wavenumbers).enumerate() {
+            for (q, (wave, wavenumber)) in waves.into_iter().zip(&self.wavenumbers).enumerate() {
                 let [zeroth, first] = if is_round { round_waves(wave, wavenumber * x) } else { [wave.re, wave.im] };
                 let at = q * places.len() + k;
                 [tables[0][at], tables[1][at], tables[2][at]] = [first, zeroth, zeroth - 1.0];
@@ -166,11 +155,6 @@ fn round_waves(wave: Complex64, z: f64) -> [f64; 2] {
     let mut amplitudes = [Complex64::ZERO; 2];
     bessel::hankel_table(Kind::Integer, 2, &[z.into()], &mut amplitudes);
     amplitudes.map(|amplitude| (amplitude * wave).re)
-}
-
-/// λx, wavenumber by wavenumber.
-fn phases(places: &[f64], wavenumbers: &[f64]) -> Vec<f64> {
-    wavenumbers.iter().flat_map(|wavenumber| places.iter().map(move |x| wavenumber * x)).collect()
 }
 
 /// J₁(λr), J₀(λr) and J₀(λr) − 1 in place of the sine, the cosine and the cosine minus 1.
@@ -239,8 +223,15 @@ pub(super) fn panels(
         } else {
             32
         };
-        panels.push(WavePanel { lo, hi: lo + width, rule: quadrature::rule(points), power, far });
-        lo += width;
+        let (hi, rule) = (lo + width, quadrature::rule(points));
+        let stretched = |(t, weight): (f64, f64)| {
+            let before = hi * t.powi(STRETCH - 1);
+            (before * t, f64::from(STRETCH) * before * weight)
+        };
+        let (wavenumbers, weights) =
+            if power { rule.on(0.0, 1.0).map(stretched).unzip() } else { rule.on(lo, hi).unzip() };
+        panels.push(WavePanel { lo, hi, rule, wavenumbers, weights, far });
+        lo = hi;
     }
     Some(panels)
 }
@@ -257,15 +248,10 @@ mod tests {
         for x in [0.0, 0.3, 20.0, 3e3, 1e5, 1e7, 1e9] {
             let mut sum = Complex64::ZERO;
             for panel in &all {
-                let (wavenumbers, weights) = panel.points();
-                let plain = || wavenumbers.iter().map(|l| Complex64::cis(l * x)).collect();
+                let plain = || panel.wavenumbers.iter().map(|l| Complex64::cis(l * x)).collect();
                 let waves: Vec<Complex64> = panel.wave(x).unwrap_or_else(plain);
-                sum += wavenumbers
-                    .iter()
-                    .zip(weights)
-                    .zip(waves)
-                    .map(|((l, w), e)| e * (w * (-l).exp()))
-                    .sum::<Complex64>();
+                let points = panel.wavenumbers.iter().zip(&panel.weights).zip(waves);
+                sum += points.map(|((l, w), e)| e * (w * (-l).exp())).sum::<Complex64>();
             }
             let expected = Complex64::new(1.0, -x).inv();
             // waves below FAR are summed as they are: in each of their panels the phases at both ends are rounded
