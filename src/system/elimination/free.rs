@@ -2,11 +2,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use nalgebra::Matrix2x3;
 use recede_layers::graded::Remembering;
 use recede_layers::{FaceStates, Flexibility, Layer, Plane, Wave};
 
 use super::cut_off::cut_off;
-use super::half::{FaceOf, Half, Meeting, PutBack};
+use super::half::{FaceOf, Half, PutBack, flexibility, meet};
 use super::junction::Junction;
 use super::repeats::{self, Bodies, JoinedLayers, Repeat};
 use crate::solution::Stats;
@@ -86,12 +87,13 @@ impl FreeChain {
         upper.count(stats);
         lower.count(stats);
         let (mut down, mut up) = (upper.iter(wave), lower.iter(wave).rev());
-        Some(self.eliminate(&range, meeting, wave, [&mut down, &mut up], |_, _, _| ())?.flexibility())
+        let (halves, displacements) = self.eliminate(&range, meeting, wave, [&mut down, &mut up], |_, _, _| ())?;
+        Some(flexibility(&halves, &displacements))
     }
 
     /// Eliminates the amplitudes of `bodies`, those between the upper face of `range` and the interface above layer `meeting` from the top down
     /// and those between the lower face and this interface from the bottom up. `keep` is given the half, 0 or 1, the first layer of each body and
-    /// its back substitution.
+    /// its back substitution. Returns the halves, and the displacements where they meet, see [`meet`].
     pub(super) fn eliminate(
         &self,
         range: &Range<usize>,
@@ -99,7 +101,7 @@ impl FreeChain {
         wave: &Wave,
         bodies: [&mut dyn Iterator<Item = JoinedLayers>; 2],
         mut keep: impl FnMut(usize, usize, PutBack),
-    ) -> Option<Meeting> {
+    ) -> Option<([Half; 2], [Matrix2x3<f64>; 2])> {
         let junction = |interface: usize| {
             let is_inside = range.start < interface && interface < range.end;
             if is_inside { self.junctions.get(interface - 1) } else { None }
@@ -116,8 +118,8 @@ impl FreeChain {
                 keep(side, layers.start, put_back);
             }
         }
-        let [above, below] = halves;
-        Meeting::of(above, below, junction(meeting), wave)
+        let displacements = meet(&halves, junction(meeting), wave)?;
+        Some((halves, displacements))
     }
 
     /// The layers, top down.

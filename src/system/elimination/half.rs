@@ -106,58 +106,46 @@ impl Half {
     }
 }
 
-/// Two halves at the interface where they meet.
-pub(super) struct Meeting {
-    pub(super) above: Half,
-    pub(super) below: Half,
-    /// Displacements (U, V) above and below the interface, columns for a load on top, on the bottom, and on both.
-    pub(super) displacements: [Matrix2x3<f64>; 2],
+/// Displacements (U, V) above and below the interface at which two halves meet, columns for a load on top, on the bottom, and on both.
+/// `junction` is the interface; `None` if one of the halves has no layers.
+pub(super) fn meet(
+    [above, below]: &[Half; 2],
+    junction: Option<&Junction>,
+    wave: &Wave,
+) -> Option<[Matrix2x3<f64>; 2]> {
+    let Some(rows) = junction.and_then(|junction| junction.at(wave, InterfaceSide::Above)) else {
+        // stresses are continuous: K_above w + ... = K_below w + ...
+        let by = |half: &Half, column: usize| half.stress.column(column).into_owned();
+        let zero = Vector2::zeros();
+        let loads = Matrix2x3::from_columns(&[zero - by(above, 2), by(below, 2), by(below, 3) - by(above, 3)]);
+        return Some([solve_equilibrated(above.stiffness() - below.stiffness(), loads)?; 2]);
+    };
+    let mut matrix = Matrix4::zeros();
+    let mut loads = Matrix4x3::zeros();
+    let equal = of_uniform(&rows);
+    loads.set_column(2, &-equal);
+    for (i, (rows, half)) in rows.iter().zip([above, below]).enumerate() {
+        let stress = rows.fixed_columns::<2>(2);
+        let columns = rows.fixed_columns::<2>(0) + stress * half.stiffness();
+        matrix.fixed_view_mut::<4, 2>(0, 2 * i).copy_from(&columns);
+        loads.set_column(i, &-(stress * half.stress.column(2)));
+        let equal = loads.column(2) - stress * half.stress.column(3);
+        loads.set_column(2, &equal);
+    }
+    let solved = solve_equilibrated(matrix, loads)?;
+    Some([solved.fixed_rows::<2>(0).into_owned(), solved.fixed_rows::<2>(2).into_owned()])
 }
 
-impl Meeting {
-    /// `junction` is the interface; `None` if one of the halves has no layers.
-    pub(super) fn of(above: Half, below: Half, junction: Option<&Junction>, wave: &Wave) -> Option<Self> {
-        let displacements = match junction.and_then(|junction| junction.at(wave, InterfaceSide::Above)) {
-            None => {
-                // stresses are continuous: K_above w + ... = K_below w + ...
-                let by = |half: &Half, column: usize| half.stress.column(column).into_owned();
-                let zero = Vector2::zeros();
-                let loads =
-                    Matrix2x3::from_columns(&[zero - by(&above, 2), by(&below, 2), by(&below, 3) - by(&above, 3)]);
-                [solve_equilibrated(above.stiffness() - below.stiffness(), loads)?; 2]
-            }
-            Some(rows) => {
-                let mut matrix = Matrix4::zeros();
-                let mut loads = Matrix4x3::zeros();
-                let equal = of_uniform(&rows);
-                loads.set_column(2, &-equal);
-                for (i, (rows, half)) in rows.iter().zip([&above, &below]).enumerate() {
-                    let stress = rows.fixed_columns::<2>(2);
-                    let columns = rows.fixed_columns::<2>(0) + stress * half.stiffness();
-                    matrix.fixed_view_mut::<4, 2>(0, 2 * i).copy_from(&columns);
-                    loads.set_column(i, &-(stress * half.stress.column(2)));
-                    let equal = loads.column(2) - stress * half.stress.column(3);
-                    loads.set_column(2, &equal);
-                }
-                let solved = solve_equilibrated(matrix, loads)?;
-                [solved.fixed_rows::<2>(0).into_owned(), solved.fixed_rows::<2>(2).into_owned()]
-            }
-        };
-        Some(Self { above, below, displacements })
-    }
-
-    /// The flexibility of the faces.
-    pub(super) fn flexibility(&self) -> Flexibility {
-        let Self { above, below, displacements: [at_above, at_below] } = self;
-        let [top, bottom] = [(above, at_above), (below, at_below)].map(|(half, w)| half.face.fixed_columns::<2>(0) * w);
-        let (top_by_top, bottom_by_bottom) = (top[0] + above.face[2], bottom[1] + below.face[2]);
-        Flexibility {
-            top: top_by_top,
-            coupling: Flexibility::coupling(top_by_top, top[1], bottom[0], bottom_by_bottom),
-            bottom: bottom_by_bottom,
-            equal_top: top[2] + above.face[3],
-            equal_bottom: bottom[2] + below.face[3],
-        }
+/// The flexibility of the faces of two halves, from the displacements where they meet.
+pub(super) fn flexibility([above, below]: &[Half; 2], displacements: &[Matrix2x3<f64>; 2]) -> Flexibility {
+    let [top, bottom] = [(above, 0), (below, 1)].map(|(half, i)| half.face.fixed_columns::<2>(0) * displacements[i]);
+    let (top_by_top, bottom_by_bottom) = (top[0] + above.face[2], bottom[1] + below.face[2]);
+    Flexibility {
+        top: top_by_top,
+        coupling: Flexibility::coupling(top_by_top, top[1], bottom[0], bottom_by_bottom),
+        bottom: bottom_by_bottom,
+        equal_top: top[2] + above.face[3],
+        equal_bottom: bottom[2] + below.face[3],
     }
 }
 

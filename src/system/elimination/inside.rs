@@ -24,13 +24,10 @@ pub struct FaceLoad {
     pub equal: f64,
 }
 
-/// Depths in ascending order for each layer of a chain; the foundation counts as one.
-pub type Depths = [Vec<f64>];
-
 impl FreeChain {
-    /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers, in the order of the depths; `None`
-    /// if a layer's states are not finite or do not determine its fields.
-    pub fn states(&self, wave: &Wave, depths: &Depths, load: &FaceLoad) -> Option<Vec<Vec<State>>> {
+    /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers, which ascend for each of them; `None` if a
+    /// layer's states are not finite or do not determine its fields.
+    pub fn states(&self, wave: &Wave, depths: &[Vec<f64>], load: &FaceLoad) -> Option<Vec<Vec<State>>> {
         let count = self.layers.len();
         let Some([above, below]) = self.decayed(wave) else {
             return self.states_of(0..count, self.meeting, wave, depths, load);
@@ -49,7 +46,7 @@ impl FreeChain {
         range: Range<usize>,
         meeting: usize,
         wave: &Wave,
-        depths: &Depths,
+        depths: &[Vec<f64>],
         load: &FaceLoad,
     ) -> Option<Vec<Vec<State>>> {
         let states: Vec<LayerStates> = range.clone().map(|i| self.layers[i].states(wave, &depths[i])).collect();
@@ -61,12 +58,12 @@ impl FreeChain {
         let (mut down, mut up) = ((range.start..meeting).map(body), (meeting..range.end).rev().map(body));
         let mut eliminated: [Vec<(usize, PutBack)>; 2] = Default::default();
         let keep = |side: usize, layer, put_back| eliminated[side].push((layer, put_back));
-        let meet = self.eliminate(&range, meeting, wave, [&mut down, &mut up], keep)?;
+        let (_, displacements) = self.eliminate(&range, meeting, wave, [&mut down, &mut up], keep)?;
         let loads = Vector3::new(load.top, load.bottom, load.equal);
         let mut found = vec![Vec::new(); range.len()];
         for (side, eliminated) in eliminated.iter().enumerate() {
             let on_face = if side == 0 { load.top } else { load.bottom };
-            let mut w: Vector2<f64> = meet.displacements[side] * loads;
+            let mut w: Vector2<f64> = displacements[side] * loads;
             for (i, PutBack { amplitudes, before }) in eliminated.iter().rev() {
                 let by = Vector4::new(w[0], w[1], on_face, load.equal);
                 let amplitudes = amplitudes * by;
@@ -105,8 +102,8 @@ fn combine(inside: &[InnerStates], amplitudes: &Vector4<f64>, equal: f64) -> Opt
 
 impl BaseChain {
     /// The states (λμ₀U, λμ₀V, S, T) at `depths` below the top faces of the layers and, if it is elastic, of the
-    /// foundation, under a load S on the top face; `None` as for a laminate.
-    pub fn states(&self, wave: &Wave, depths: &Depths, load: f64) -> Option<Vec<Vec<State>>> {
+    /// foundation, which counts as one of them, under a load S on the top face; `None` as for a laminate.
+    pub fn states(&self, wave: &Wave, depths: &[Vec<f64>], load: f64) -> Option<Vec<Vec<State>>> {
         let cut_off = cut_off(&self.layers, &self.junctions, 0..self.layers.len(), wave);
         let mut found: Vec<Vec<State>> = depths.iter().map(|depths| vec![State::zeros(); depths.len()]).collect();
         let mut ground = None;

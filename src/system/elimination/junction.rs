@@ -30,7 +30,7 @@ impl<const N: usize> JunctionRows<N> {
                     Some(stiffness) => (&mut all.stiffness, sign * stiffness),
                     None => (&mut all.plain, sign),
                 };
-                matrices[index(block.side())][(i, block.quantity.index())] += factor;
+                matrices[block.side() as usize][(i, block.quantity.index())] += factor;
             }
         }
         all
@@ -85,17 +85,10 @@ impl Junction {
     /// The rows at one wavenumber for the state on the side `near`, and for that on the other side; `None` if
     /// both states are the same.
     pub(super) fn at(&self, wave: &Wave, near: InterfaceSide) -> Option<[Matrix4<f64>; 2]> {
-        let near = index(near);
+        let near = near as usize;
         let mut rows = self.rows.as_ref()?[near].at(wave);
         rows.swap(0, near);
         Some(rows)
-    }
-}
-
-fn index(side: InterfaceSide) -> usize {
-    match side {
-        InterfaceSide::Above => 0,
-        InterfaceSide::Below => 1,
     }
 }
 
@@ -103,7 +96,7 @@ fn index(side: InterfaceSide) -> usize {
 /// stress of springs then follows from the jump: the stress on the near side, computed from a stiffness and a load, would
 /// cancel where the springs are soft.
 fn with_far_stresses(mut rows: JunctionRows<4>, near: InterfaceSide) -> JunctionRows<4> {
-    let (near, far) = (index(near), 1 - index(near));
+    let (near, far) = (near as usize, 1 - near as usize);
     for stress in STRESSES {
         let entries = |i: usize| {
             let all = rows.plain.iter().chain(&rows.stiffness).flat_map(|matrix| (0..4).map(move |j| matrix[(i, j)]));

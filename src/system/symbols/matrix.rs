@@ -75,17 +75,6 @@ impl Deref for Blocks {
     }
 }
 
-impl From<[Option<Block>; 4]> for Blocks {
-    fn from(blocks: [Option<Block>; 4]) -> Self {
-        let mut collected = Self::default();
-        for (place, block) in collected.list.iter_mut().zip(blocks.into_iter().flatten()) {
-            *place = block;
-            collected.count += 1;
-        }
-        collected
-    }
-}
-
 /// One scalar condition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
@@ -187,13 +176,14 @@ impl BlockSystem {
             if terms.iter().flatten().any(|term| term.quantity.is_stress() && there(term).is_none()) {
                 continue;
             }
-            let block = |term: Option<Term>| {
-                let term = term?;
-                let (column, face) = there(&term)?;
-                let Term { quantity, negative, stiffness, .. } = term;
-                Some(Block { column, layer: self.columns[column].number, face, quantity, negative, stiffness })
-            };
-            let blocks = Blocks::from(terms.map(block));
+            let mut blocks = Blocks::default();
+            for term in terms.iter().flatten() {
+                let Some((column, face)) = there(term) else { continue };
+                let Term { quantity, negative, stiffness, .. } = *term;
+                let layer = self.columns[column].number;
+                blocks.list[blocks.count] = Block { column, layer, face, quantity, negative, stiffness };
+                blocks.count += 1;
+            }
             // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
                 self.rows.push(Row { place, blocks, pressure });
