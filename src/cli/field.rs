@@ -65,15 +65,12 @@ pub struct FieldArguments {
     title: Title,
 }
 
-/// Equally spaced numbers.
-#[derive(Clone, Debug)]
-struct Steps(Vec<f64>);
+/// Equally spaced numbers, one value of an option.
+type Steps = Vec<f64>;
 
-impl Steps {
-    fn new(start: f64, stop: f64, count: usize) -> Self {
-        let part = |k: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };
-        Self((0..count).map(part).map(|part| (1.0 - part) * start + part * stop).collect())
-    }
+fn spaced(start: f64, stop: f64, count: usize) -> Steps {
+    let part = |k: usize| if count > 1 { k as f64 / (count - 1) as f64 } else { 0.0 };
+    (0..count).map(part).map(|part| (1.0 - part) * start + part * stop).collect()
 }
 
 /// START:STOP:COUNT.
@@ -84,7 +81,7 @@ fn steps(text: &str) -> Result<Steps, String> {
     let (start, stop, count): (f64, f64, _) = (number(start)?, number(stop)?, count.parse().map_err(|_| wrong())?);
     let legal = start.is_finite() && stop.is_finite() && (1..=10_000).contains(&count);
     let refused = || format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000");
-    legal.then(|| Steps::new(start, stop, count)).ok_or_else(refused)
+    legal.then(|| spaced(start, stop, count)).ok_or_else(refused)
 }
 
 /// X,DEPTH or X,DEPTH@LAYER.
@@ -164,9 +161,8 @@ impl FieldArguments {
         let longest = [half, layers].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
         let last = if to.is_finite() { to } else { from + GROUND * longest };
         let beside = BESIDE * longest;
-        let Steps(xs) = self.x.clone().unwrap_or_else(|| Steps::new(middle - beside, middle + beside, columns));
-        let Steps(depths) = self.depth.clone().unwrap_or_else(|| Steps::new(0.0, last.min(BELOW * longest), rows));
-        [xs, depths]
+        let xs = self.x.clone().unwrap_or_else(|| spaced(middle - beside, middle + beside, columns));
+        [xs, self.depth.clone().unwrap_or_else(|| spaced(0.0, last.min(BELOW * longest), rows))]
     }
 }
 
