@@ -17,7 +17,7 @@ use crate::support::innermost_end;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
-use recede::selftest::{Ply, Ranges, Scenario, ScenarioUnits, scene_of_any_kind_in_units};
+use recede::selftest::{Ply, Ranges, Scenario, ScenarioUnits, scene_of_any_kind};
 use recede::{Interface, Model, Plane, Punch, Scene, Solution, Stack};
 
 use crate::scenario::{Solve, curved_scenario, cut, difference, homogeneous, scenario};
@@ -251,9 +251,8 @@ fn in_units(found: &Solution, ScenarioUnits { length, stress }: ScenarioUnits, e
 
 #[test]
 fn scenes_of_all_kinds_are_the_same_in_all_units() {
-    let ranges = Ranges::moderate();
     let solve = |number: u64, units: ScenarioUnits| {
-        let scene = scene_of_any_kind_in_units(&ranges, 11, number, units).unwrap();
+        let scene = scene_of_any_kind(&Ranges { units, ..Ranges::moderate() }, 11, number).unwrap();
         (Model::new(scene.stack().unwrap()).and_then(|model| model.press(&scene.top, scene.force)), scene)
     };
     for number in 0..60 {

@@ -5,7 +5,7 @@ use recede_layers::{
     Winkler,
 };
 
-use super::scenario::{Ply, Scenario, ScenarioUnits};
+use super::scenario::{Ply, Scenario};
 use super::strategy::{Ranges, drawn, scenes};
 use crate::errors::Error;
 use crate::geometry::Geometry;
@@ -43,24 +43,10 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
 /// scene, whatever else is drawn.
 ///
 /// # Errors
-/// None in practice.
+/// [`Error::Value`] or [`Error::Layer`] if a number is no longer finite in the units of the ranges.
 pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
-    scene_of_any_kind_in_units(ranges, seed, number, ScenarioUnits::default())
-}
-
-/// The same scene in other units.
-///
-/// # Errors
-/// [`Error::Value`] or [`Error::Layer`] if a number is no longer finite.
-pub fn scene_of_any_kind_in_units(
-    ranges: &Ranges,
-    seed: u64,
-    number: u64,
-    units: ScenarioUnits,
-) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
-    let scenario = scenario.in_units(units);
-    let items = kinds.items(&scenario, units.stress)?;
+    let items = kinds.items(&scenario, ranges.units.stress)?;
     Ok(Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items))
 }
 

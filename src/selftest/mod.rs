@@ -26,7 +26,7 @@ mod verify;
 
 pub use check::{CheckedScene, Outcome};
 pub use examples::{EXAMPLES, variant};
-pub use kinds::{about_axis, scene_of_any_kind, scene_of_any_kind_in_units, scene_with_punches};
+pub use kinds::{about_axis, scene_of_any_kind, scene_with_punches};
 pub use scenario::{Ply, Scenario, ScenarioUnits};
 pub use strategy::{Ranges, scene, scenes};
 pub use verify::{Comparison, ROUNDING, compare};

@@ -7,7 +7,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use recede_layers::Plane;
 
 use super::load;
-use super::scenario::{Ply, Scenario};
+use super::scenario::{Ply, Scenario, ScenarioUnits};
 
 /// Ranges of the numbers of a random scene. Ratios are spread evenly on a logarithmic scale, and the ends of
 /// a range are drawn more often than their share.
@@ -31,6 +31,8 @@ pub struct Ranges {
     pub half_length: RangeInclusive<f64>,
     /// Radius of the punch over half-length, R/a, dimensionless.
     pub radius: RangeInclusive<f64>,
+    /// In which units: other units make other numbers of the same scenes.
+    pub units: ScenarioUnits,
 }
 
 impl Default for Ranges {
@@ -45,6 +47,7 @@ impl Default for Ranges {
             poisson: -0.5..=0.5,
             half_length: 1.2e-4..=8.5,
             radius: 2.0..=1e4,
+            units: ScenarioUnits::default(),
         }
     }
 }
@@ -81,13 +84,14 @@ pub fn scenes(ranges: &Ranges) -> impl Strategy<Value = Scenario> + use<> {
     let base = prop_oneof![2 => half_plane.prop_map(Some), 1 => Just(None)];
     let plane = prop_oneof![Just(Plane::Strain), Just(Plane::Stress)];
     let punch = (any::<bool>(), even(ranges.radius.clone()), even(ranges.half_length.clone()));
-    (stack, base, plane, punch).prop_map(|((mut layers, receding), base, plane, (cylinder, blunt, long))| {
+    let units = ranges.units;
+    (stack, base, plane, punch).prop_map(move |((mut layers, receding), base, plane, (cylinder, blunt, long))| {
         receding.into_iter().for_each(|i| layers[i].receding = true);
         let mut scenario = Scenario { plane, layers, base, cylinder, radius: 1.0, force: 1.0 };
         let half_length = long * scenario.thickness();
         scenario.radius = blunt * half_length;
         scenario.force = load::force(&scenario, half_length);
-        scenario
+        scenario.in_units(units)
     })
 }
 
