@@ -159,8 +159,8 @@ impl Page {
         labels: Labels,
     ) -> Result<(), Box<dyn Error>> {
         let points = || curves.iter().flatten();
-        let x = Scale::around(points().map(|(x, _)| *x));
-        let y = Scale::around(points().map(|(_, y)| *y)).rounded();
+        let x = Scale::around(points().map(|(x, _)| *x)).of(x_label, None);
+        let y = Scale::around(points().map(|(_, y)| *y)).rounded().of(y_label, None);
         let count = curves.len();
         let named = values.iter().map(|value| format!("{name} = {}", plot::label(*value)));
         let curves = curves.into_iter().zip(named).enumerate();
@@ -168,10 +168,6 @@ impl Page {
             frame: FRAME,
             x: if logarithmic { x.logarithmic() } else { x },
             y,
-            x_label: x_label.into(),
-            x_unit: None,
-            y_label: y_label.into(),
-            y_unit: None,
             curves: curves
                 .map(|(i, (points, label))| Curve { points, stroke: style::curve(i, count), label })
                 .collect(),

@@ -17,7 +17,7 @@ const BESIDE: usize = 1;
 
 /// Bands of a quantity and their colours.
 pub(super) struct Bands {
-    pub(super) scale: Scale,
+    scale: Scale,
     /// Where bands meet.
     edges: Vec<f64>,
     /// The value below which no sign is known; `None` if colours do not tell the sign.
@@ -93,7 +93,7 @@ impl Bands {
     }
 
     /// The scale of colours, from the left upper corner down.
-    pub(super) fn bar(&self, picture: &mut Picture, (left, top): (f64, f64), bottom: f64, title: &str) {
+    pub(super) fn bar(&self, picture: &mut Picture, (left, top): (f64, f64), bottom: f64) {
         let right = left + BAR;
         let height = |value: f64| bottom - self.scale.share(value) * (bottom - top);
         for index in 0..=self.edges.len() {
@@ -102,7 +102,7 @@ impl Bands {
         }
         let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
         picture.line(&corners, hair(INK));
-        upright_axis(picture, &self.scale, [right, top, bottom], Anchor::Left, title);
+        upright_axis(picture, &self.scale, [right, top, bottom], Anchor::Left);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Curves in a frame with axes.
 use super::letters::width;
 use super::picture::{Anchor, Picture, Stroke};
-use super::scale::{Scale, Tick, ten_to};
+use super::scale::{Scale, Tick};
 use super::style::{FAINT, INK, SMALL, TEXT, hair};
 
 /// Length of the mark of a tick, in points.
@@ -57,14 +57,6 @@ pub struct Chart {
     pub x: Scale,
     /// Along the left side.
     pub y: Scale,
-    /// The title below the bottom; a power of ten and `x_unit` are added.
-    pub x_label: String,
-    /// Unit along the bottom, or nothing.
-    pub x_unit: Option<String>,
-    /// The title along the left side.
-    pub y_label: String,
-    /// Unit along the left side, or nothing.
-    pub y_unit: Option<String>,
     /// The curves.
     pub curves: Vec<Curve>,
     /// Where their labels stand, right of the frame.
@@ -121,10 +113,8 @@ impl Chart {
         }
         picture.line(&[(left, top), (left, floor), (right, floor)], hair(INK));
         let below = floor + TICK + 2.4 * TEXT;
-        let x_label = with_unit(&self.x_label, self.x_unit.as_deref(), self.x.power());
-        let y_label = with_unit(&self.y_label, self.y_unit.as_deref(), self.y.power());
-        picture.text((0.5 * (left + right), below), &x_label, TEXT, INK, Anchor::Centre);
-        upright_axis(picture, &self.y, [left, top, bottom], Anchor::Right, &y_label);
+        picture.text((0.5 * (left + right), below), &self.x.title(), TEXT, INK, Anchor::Centre);
+        upright_axis(picture, &self.y, [left, top, bottom], Anchor::Right);
     }
 
     /// The marks along the bottom that have a number: all, or each second one, and so on, so that they stay apart.
@@ -175,13 +165,7 @@ impl Chart {
 }
 
 /// The marks, numbers and title of an axis that runs upwards: on its left if they are anchored at their right ends, else on its right.
-pub(super) fn upright_axis(
-    picture: &mut Picture,
-    scale: &Scale,
-    [x, top, bottom]: [f64; 3],
-    anchor: Anchor,
-    title: &str,
-) {
+pub(super) fn upright_axis(picture: &mut Picture, scale: &Scale, [x, top, bottom]: [f64; 3], anchor: Anchor) {
     let out = if anchor == Anchor::Right { -1.0 } else { 1.0 };
     let ticks = scale.ticks();
     for tick in &ticks {
@@ -191,14 +175,7 @@ pub(super) fn upright_axis(
     }
     let widest = ticks.iter().map(|tick| width(&tick.label, SMALL)).fold(0.0, f64::max);
     let beside = x + out * (TICK + 9.0 + widest + 0.5 * TEXT);
-    picture.text((beside, 0.5 * (top + bottom)), title, TEXT, INK, Anchor::Upwards);
-}
-
-/// A label with a power of ten and a unit behind it, e.g. `pressure, 10⁻³ N/mm²`.
-pub fn with_unit(label: &str, unit: Option<&str>, power: i32) -> String {
-    let factor = (power != 0).then(|| ten_to(power));
-    let parts: Vec<&str> = factor.as_deref().into_iter().chain(unit).collect();
-    if parts.is_empty() { label.to_owned() } else { format!("{label}, {}", parts.join(" ")) }
+    picture.text((beside, 0.5 * (top + bottom)), &scale.title(), TEXT, INK, Anchor::Upwards);
 }
 
 /// Heights as near as possible to those wanted, which ascend, so far from each other that labels do not overlap: not above

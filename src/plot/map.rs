@@ -1,6 +1,6 @@
 //! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
 use super::bands::Bands;
-use super::chart::{Chart, Frame, Labels, with_unit};
+use super::chart::{Chart, Frame, Labels};
 use super::depths::DrawnDepths;
 use super::file::PlotError;
 use super::names::{self, Dimension, after, unit};
@@ -66,12 +66,8 @@ pub fn map(
         .filter(|largest| known(largest.value, error) != 0.0 && (!clipped || largest.overall));
     let chart = Chart {
         frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
-        x,
-        y: Scale::bent(&depths.knots, on_ground).reversed(),
-        x_label: italic(along),
-        x_unit: unit(scene, Dimension::LENGTH),
-        y_label: "depth".into(),
-        y_unit: unit(scene, Dimension::LENGTH),
+        x: x.of(&italic(along), unit(scene, Dimension::LENGTH)),
+        y: Scale::bent(&depths.knots, on_ground).reversed().of("depth", unit(scene, Dimension::LENGTH)),
         curves: Vec::new(),
         labels: Labels::AtEnds,
     };
@@ -83,6 +79,8 @@ pub fn map(
         Some(Largest { point: (x, at, _), value, .. }) if !clipped && map.shows(*x, *at) => values.with(*value),
         _ => values,
     };
+    let (name, dimension) = names::of_quantity(quantity, scene.geometry);
+    let values = values.of(&name, unit(scene, dimension));
     let bands = match is_signed(quantity) {
         true => Bands::new(values, Some(error)),
         false => Bands::new(values.with(0.0), None),
@@ -212,10 +210,8 @@ impl Map<'_> {
         let beside = right + self.interfaces(&mut picture);
         let ground = if self.on_ground { GROUND } else { 0.0 };
         self.chart.draw_with(&mut picture, ground);
-        let (name, dimension) = names::of_quantity(self.quantity, geometry);
-        let title = with_unit(&name, unit(self.section.scene, dimension).as_deref(), bands.scale.power());
         let lowest = bottom.max(top + BAR);
-        bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest, &title);
+        bands.bar(&mut picture, (beside + BEFORE_BAR, top), lowest);
         if let Some(Largest { point: (x, depth, _), .. }) = self.largest
             && self.shows(x, depth)
         {

@@ -8,12 +8,8 @@
 //! let curve: Vec<(f64, f64)> = (0..=50).map(|i| 0.02 * f64::from(i)).map(|x| (x, (1.0 - x * x).sqrt())).collect();
 //! let chart = Chart {
 //!     frame: Frame { left: 60.0, top: 15.0, right: 330.0, bottom: 200.0 },
-//!     x: Scale::around([0.0, 1.0]),
-//!     y: Scale::around(curve.iter().map(|(_, y)| *y)).rounded(),
-//!     x_label: format!("{} / {}", plot::italic("x"), plot::italic("a")),
-//!     x_unit: None,
-//!     y_label: "pressure".into(),
-//!     y_unit: Some("N/mm²".into()),
+//!     x: Scale::around([0.0, 1.0]).of(&format!("{} / {}", plot::italic("x"), plot::italic("a")), None),
+//!     y: Scale::around(curve.iter().map(|(_, y)| *y)).rounded().of("pressure", Some("N/mm²".into())),
 //!     curves: vec![Curve { points: curve, stroke: style::curve(0, 1), label: plot::italic("p") }],
 //!     labels: Labels::AtEnds,
 //! };
@@ -42,7 +38,7 @@ pub mod style;
 mod svg;
 mod sweep;
 
-pub use chart::{Chart, Curve, Frame, Labels, with_unit};
+pub use chart::{Chart, Curve, Frame, Labels};
 pub use file::{Kind, PlotError, save};
 pub use letters::width;
 pub use map::map;

@@ -1,8 +1,10 @@
 //! Axes: round numbers along a range, and where they stand.
 
-/// A range of numbers along an axis.
+/// A range of numbers along an axis, and what they are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scale {
+    name: String,
+    unit: Option<String>,
     low: f64,
     high: f64,
     logarithmic: bool,
@@ -41,6 +43,12 @@ impl Scale {
             }
             _ => scale(low, high),
         }
+    }
+
+    /// The same range of a quantity with this name and unit.
+    pub fn of(mut self, name: &str, unit: Option<String>) -> Self {
+        (self.name, self.unit) = (name.to_owned(), unit);
+        self
     }
 
     /// The same range with this value in it.
@@ -111,6 +119,13 @@ impl Scale {
         let largest = self.low.abs().max(self.high.abs());
         let power = largest.log10().floor() as i32;
         if self.logarithmic || (-2..4).contains(&power) { 0 } else { power }
+    }
+
+    /// The name with a power of ten and the unit behind it, e.g. `pressure, 10⁻³ N/mm²`.
+    pub fn title(&self) -> String {
+        let factor = Some(self.power()).filter(|power| *power != 0).map(ten_to);
+        let parts: Vec<&str> = factor.as_deref().into_iter().chain(self.unit.as_deref()).collect();
+        if parts.is_empty() { self.name.clone() } else { format!("{}, {}", self.name, parts.join(" ")) }
     }
 
     /// The marks; values divided by ten to the power left out.

@@ -179,7 +179,11 @@ impl Drawing<'_> {
         // where nothing but concentrated forces press: their mean over what is drawn
         let force = contacts.iter().map(|contact| contact.resultant).fold(0.0, f64::max);
         let height = if most > 0.0 { most } else { force / scene.geometry.size(-half, half) };
-        let y = Scale::around([0.0, if relative { 1.0 } else { height }]).rounded();
+        let y = match relative {
+            true => Scale::around([0.0, 1.0]).of("pressure / its largest", None),
+            false => Scale::around([0.0, height]).of("contact pressure", unit(scene, Dimension::STRESS)),
+        };
+        let y = y.rounded();
         let top = y.ends().1;
         let line = |x| Curve { points: vec![(x, 0.0), (x, top)], stroke: curve(0, count), label: String::new() };
         let drawn = contacts.iter().zip(&curves).enumerate().map(|(i, (contact, parts))| {
@@ -191,15 +195,11 @@ impl Drawing<'_> {
             let points = parts.iter().flat_map(|part| part.iter().copied().chain([(f64::NAN, f64::NAN)]));
             Curve { points: points.map(|(x, p)| (x, p / unit)).collect(), stroke: curve(i, count), label }
         });
-        let top = self.bottom + PRESSURES[1];
+        let (top, along) = (self.bottom + PRESSURES[1], italic(scene.geometry.words().along));
         let chart = Chart {
             frame: Frame { left: 0.0, top, right: WIDTH, bottom: top + PRESSURES[0] },
-            x: Scale::around([self.middle - half, self.middle + half]),
+            x: Scale::around([self.middle - half, self.middle + half]).of(&along, unit(scene, Dimension::LENGTH)),
             y,
-            x_label: italic(scene.geometry.words().along),
-            x_unit: unit(scene, Dimension::LENGTH),
-            y_label: if relative { "pressure / its largest" } else { "contact pressure" }.into(),
-            y_unit: unit(scene, Dimension::STRESS).filter(|_| !relative),
             curves: drawn.chain(lines(scene).into_iter().map(line)).collect(),
             labels: Labels::Listed,
         };

@@ -1,6 +1,6 @@
 //! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below.
 use super::bands::Bands;
-use super::chart::{Chart, Curve, Frame, Labels, hidden, with_unit};
+use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::file::PlotError;
 use super::names::{Dimension, of_contact, of_path, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke};
@@ -85,9 +85,10 @@ pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError>
     }
     let right = layout.frame([layout.last(), 0]).right;
     for (i, axis) in layout.others().into_iter().rev().enumerate() {
-        let (title, unit) = layout.name(axis);
+        let (name, unit) = layout.name(axis);
+        let title = [name].into_iter().chain(unit).collect::<Vec<_>>().join(", ");
         let place = (right + HEADING, -1.8 * HEADING - i as f64 * 1.3 * TEXT);
-        picture.text(place, &with_unit(&title, unit.as_deref(), 0), TEXT, INK, Anchor::Left);
+        picture.text(place, &title, TEXT, INK, Anchor::Left);
     }
     layout.notes(&mut picture, jumping);
     Ok(picture.fitted())
@@ -172,12 +173,20 @@ impl<'a> Layout<'a> {
     }
 
     fn chart(&self, plane: &SweepPlane, y: Scale, curves: Vec<Curve>) -> Chart {
-        let (x_label, x_unit) = self.name(self.along);
-        let (y_label, y_unit) =
-            self.up.map_or_else(|| (plane.label.clone(), plane.unit.clone()), |axis| self.name(axis));
-        let x = scale_of(&self.sweep.axes()[self.along], self.most[0]);
-        let frame = self.frame(plane.place);
-        Chart { frame, x, y, x_label, x_unit, y_label, y_unit, curves, labels: Labels::AtEnds }
+        let x = self.scale(self.along, self.most[0]);
+        Chart { frame: self.frame(plane.place), x, y, curves, labels: Labels::AtEnds }
+    }
+
+    /// The values of an axis: logarithmic if their ratios are equal and span much.
+    fn scale(&self, axis: usize, most: usize) -> Scale {
+        let (name, unit) = self.name(axis);
+        let axis = &self.sweep.axes()[axis];
+        let values: Vec<f64> = axis.values().step_by(step(axis.count(), most)).collect();
+        let scale = Scale::around(values.iter().copied()).of(&name, unit);
+        let (low, high) = scale.ends();
+        let ratios = || values.windows(2).map(|pair| pair[1] / pair[0]);
+        let same = ratios().next().is_some_and(|first| ratios().all(|ratio| (ratio / first - 1.0).abs() < 1e-6));
+        if low > 0.0 && high / low >= WIDE && values.len() > 2 && same { scale.logarithmic() } else { scale }
     }
 
     fn map(&self, picture: &mut Picture, plane: &SweepPlane) {
@@ -195,13 +204,13 @@ impl<'a> Layout<'a> {
                 values[line * xs.len() + column] = number(point, plane.column);
             }
         }
-        let chart = self.chart(plane, scale_of(&self.sweep.axes()[axes[1]], self.most[1]), Vec::new());
-        let bands = Bands::new(Scale::around(values.iter().copied()), None);
+        let chart = self.chart(plane, self.scale(axes[1], self.most[1]), Vec::new());
+        let scale = Scale::around(values.iter().copied()).of(&plane.label, plane.unit.clone());
+        let bands = Bands::new(scale, None);
         bands.draw(picture, [&xs, &ys], &values, |place| chart.place(place));
         chart.draw(picture);
         let Frame { right, top, bottom, .. } = chart.frame;
-        let title = with_unit(&plane.label, plane.unit.as_deref(), bands.scale.power());
-        bands.bar(picture, (right + BEFORE_BAR, top), bottom, &title);
+        bands.bar(picture, (right + BEFORE_BAR, top), bottom);
     }
 
     /// Curves with marks; whether one of them jumps.
@@ -223,7 +232,7 @@ impl<'a> Layout<'a> {
             curves.push(Curve { points: over, stroke: dotted, label: String::new() });
         }
         let y = Scale::around(self.points.iter().map(|point| place(point).1)).rounded();
-        let chart = self.chart(plane, y, curves);
+        let chart = self.chart(plane, y.of(&plane.label, plane.unit.clone()), curves);
         chart.draw(picture);
         for point in self.points {
             let (x, y) = chart.place(place(point));
@@ -293,16 +302,6 @@ fn number(point: &SweepPoint, column: usize) -> f64 {
 /// The smallest step with which no more than a given number of values are left.
 fn step(count: usize, most: usize) -> usize {
     count.div_ceil(most).max(1)
-}
-
-/// The scale of values: logarithmic if their ratios are equal and span much.
-fn scale_of(axis: &Axis, most: usize) -> Scale {
-    let values: Vec<f64> = axis.values().step_by(step(axis.count(), most)).collect();
-    let scale = Scale::around(values.iter().copied());
-    let (low, high) = scale.ends();
-    let ratios = || values.windows(2).map(|pair| pair[1] / pair[0]);
-    let same = ratios().next().is_some_and(|first| ratios().all(|ratio| (ratio / first - 1.0).abs() < 1e-6));
-    if low > 0.0 && high / low >= WIDE && values.len() > 2 && same { scale.logarithmic() } else { scale }
 }
 
 /// After which points a curve jumps.

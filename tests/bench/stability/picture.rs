@@ -60,12 +60,8 @@ impl Diagram {
         });
         Chart {
             frame,
-            x: scale(&self.x),
-            y: scale(&self.y),
-            x_label: self.x_name.to_owned(),
-            x_unit: None,
-            y_label: self.y_name.to_owned(),
-            y_unit: None,
+            x: scale(&self.x).of(self.x_name, None),
+            y: scale(&self.y).of(self.y_name, None),
             curves: curves.collect(),
             labels: Labels::Listed,
         }

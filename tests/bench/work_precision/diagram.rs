@@ -59,12 +59,8 @@ fn panel(picture: &mut Picture, [left, top]: [f64; 2], title: &str, curves: &[Cu
     });
     let chart = Chart {
         frame: Frame { left, top, right: left + SIZE[0], bottom: top + SIZE[1] },
-        x: Scale::around(ERRORS).logarithmic(),
-        y: Scale::around(TIMES).logarithmic(),
-        x_label: "relative error".into(),
-        x_unit: None,
-        y_label: "time".into(),
-        y_unit: Some("s".into()),
+        x: Scale::around(ERRORS).logarithmic().of("relative error", None),
+        y: Scale::around(TIMES).logarithmic().of("time", Some("s".into())),
         curves: lines.collect(),
         labels: Labels::AtEnds,
     };
