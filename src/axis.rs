@@ -274,6 +274,13 @@ mod tests {
         assert_eq!(values("force=2:2:1"), [2.0]);
         assert_eq!(values("force=-1.7e308:1.7e308:3"), [-1.7e308, 0.0, 1.7e308]);
         assert_eq!(values(" force = [ 1, 2e-3 , ]"), [1.0, 2e-3]);
+        // ends of any size are no hindrance
+        let between = |start: f64, stop: f64, last: usize| Axis::linear("force", start, stop, last + 1).unwrap().at(1);
+        assert_eq!(between(-f64::MAX, f64::MAX, 2), 0.0);
+        assert_eq!(between(f64::MAX, f64::MAX, 2), f64::MAX);
+        assert_eq!(between(5e-324, 1.5e-323, 2), 1e-323);
+        assert_eq!(between(1e-300, 1e300, 4), 2.5e299);
+        assert_eq!(between(0.0, 0.0, 3), 0.0);
     }
 
     #[test]
@@ -312,16 +319,6 @@ mod tests {
                 assert!((value - index as f64 / last as f64).abs() <= ROUNDING);
             }
         }
-    }
-
-    #[test]
-    fn ends_of_any_size_are_no_hindrance() {
-        let between = |start: f64, stop: f64, last: usize| Axis::linear("force", start, stop, last + 1).unwrap().at(1);
-        assert_eq!(between(-f64::MAX, f64::MAX, 2), 0.0);
-        assert_eq!(between(f64::MAX, f64::MAX, 2), f64::MAX);
-        assert_eq!(between(5e-324, 1.5e-323, 2), 1e-323);
-        assert_eq!(between(1e-300, 1e300, 4), 2.5e299);
-        assert_eq!(between(0.0, 0.0, 3), 0.0);
     }
 
     #[test]

@@ -235,11 +235,6 @@ mod tests {
     use crate::numeric::quadrature::rule;
 
     fn strip(form: Form) -> TabulatedStrip {
-        with_tip(form, 0.0)
-    }
-
-    fn with_tip(form: Form, tip: f64) -> TabulatedStrip {
-        let (at, extent) = (0.0, 0.7);
         let order = |m: usize| (2 * m + 1) as f64;
         let coefficients = match form {
             Form::Line => vec![1.3],
@@ -247,11 +242,9 @@ mod tests {
             Form::Uniform => (0..64).map(|m| 1.3 / order(m)).collect(),
             Form::Parabolic => (0..64).map(|m| -3.9 / (order(m) * (order(m).powi(2) - 4.0))).collect(),
         };
-        let (corners, tip) = if form == Form::Series { ([0.5, 1.1], tip) } else { ([0.0; 2], 0.0) };
-        TabulatedStrip::new(&Strip { at, corners, tip, form, ..Strip::series(extent, coefficients) })
+        let corners = if form == Form::Series { [0.5, 1.1] } else { [0.0; 2] };
+        TabulatedStrip::new(&Strip { corners, form, ..Strip::series(0.7, coefficients) })
     }
-
-    const FORMS: [Form; 3] = [Form::Series, Form::Uniform, Form::Parabolic];
 
     /// G_n for n = −1, 0, 1, 2 by the transform; in the plane G_(−1) is infinite.
     fn by_transform(strip: &Strip, x: f64, depth: f64) -> Potentials {
@@ -285,7 +278,7 @@ mod tests {
             round(Strip { form: Form::Line, ..Strip::series(0.0, vec![1.0]) }),
         ];
         let places = [(0.0, 0.5), (0.3, 0.4), (0.79, 0.3), (1.7, 0.6)];
-        let strips = FORMS.into_iter().chain([Form::Line]).map(strip).chain(discs);
+        let strips = [Form::Series, Form::Uniform, Form::Parabolic, Form::Line].map(strip).into_iter().chain(discs);
         for (strip, (x, depth)) in strips.flat_map(|strip| places.map(|place| (strip.clone(), place))) {
             let found = strip.potentials(x, depth, true);
             let finite = usize::from(!strip.strip.is_round);
@@ -325,9 +318,8 @@ mod tests {
     fn a_tip_is_the_sum_of_its_series() {
         let tip = 0.6;
         for tip_at in [0.0f64, 0.3, -0.8] {
-            let mut sharp = with_tip(Form::Series, tip);
-            sharp.strip.tip_at = tip_at;
-            let mut series = strip(Form::Series).strip;
+            let (mut sharp, mut series) = (strip(Form::Series), strip(Form::Series).strip);
+            (sharp.strip.tip, sharp.strip.tip_at) = (tip, tip_at);
             series.coefficients.resize(4000, 0.0);
             series.skew.resize(4000, 0.0);
             let term = |k: usize| 2.0 * tip / k as f64 * (k as f64 * tip_at.acos()).sin();

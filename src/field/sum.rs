@@ -131,7 +131,8 @@ impl Field {
         }
         let in_half_plane = active.iter().filter(|active| self.layers[active.row.layer].thickness.is_none());
         let deepest = in_half_plane.fold(0.0, |deepest: f64, active| deepest.max(active.row.depth));
-        let panels = waves::panels(&cut_offs, self.origin(deepest), precision).ok_or(FieldError::TooFar(farthest))?;
+        let panels = waves::panels(&cut_offs, farthest, self.origin(deepest), precision);
+        let panels = panels.ok_or(FieldError::TooFar(farthest))?;
         let mut sums: Vec<WaveSums> =
             sets.iter().enumerate().map(|(set, xs)| WaveSums::new(xs, &active, set, precision.displacements)).collect();
         // for each body and part of the field the measure of the longest waves
@@ -164,10 +165,7 @@ impl Field {
     /// How far the sums over wavenumbers go with places as far out as `farthest`: pressure by pressure; for the reference points of the bodies; and
     /// the rows with anything to sum, by their sets, those with the largest cut-offs first.
     fn cut_offs(&self, rows: &Rows, precision: &Precision, farthest: f64) -> (Vec<CutOff>, Vec<f64>, Vec<Active>) {
-        let cut_off = |contact: usize| {
-            let own = self.length(contact);
-            CutOff { end: 0.0, extent: farthest + own, own }
-        };
+        let cut_off = |contact: usize| CutOff { end: 0.0, own: self.length(contact) };
         let mut pressures: Vec<CutOff> = (0..self.pressures.len()).map(cut_off).collect();
         // the last wavenumber of a row
         let mut end_of = |row: &DepthRow| {

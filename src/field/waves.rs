@@ -181,20 +181,19 @@ fn round(arguments: &[f64]) -> [Vec<f64>; 3] {
 pub(super) struct CutOff {
     /// The wavenumber beyond which the pressure is left out.
     pub(super) end: f64,
-    /// The largest x at which a field is requested plus the half-length of the pressure: over it the integrand oscillates.
-    pub(super) extent: f64,
     /// The length over which all but the waves oscillates: the half-length of the pressure.
     pub(super) own: f64,
 }
 
-/// Panels from 0 to the largest cut-off of all pressures. Their width grows as far as the oscillation of cos λx and of the transforms of
-/// pressures below their cut-off allows, and where λx is large the oscillation of the transforms alone; `None` if there would be too many.
-/// Below the wavenumber `first` fields are smooth but for a power of λ, if there is one.
+/// Panels from 0 to the largest cut-off of all pressures. Their width grows as far as the oscillation of cos λx, x being `farthest` at most,
+/// and of the transforms of pressures below their cut-off allows, and where λx is large the oscillation of the transforms alone; `None` if there would be too
+/// many. Below the wavenumber `first` fields are smooth but for a power of λ, if there is one.
 ///
 /// The number of panels is bounded whatever the arguments: the first one is at least a fixed part of the whole, the next
 /// ones grow by the factor `precision.growth` until each spans the phase that is allowed.
 pub(super) fn panels(
     cut_offs: &[CutOff],
+    farthest: f64,
     (first, has_power): (f64, bool),
     precision: &Precision,
 ) -> Option<Vec<WavePanel>> {
@@ -203,14 +202,13 @@ pub(super) fn panels(
         return None;
     }
     let end = cut_offs.iter().fold(0.0, |end: f64, cut| end.max(cut.end));
-    let largest = |lo: f64, of: fn(&CutOff) -> f64| {
-        cut_offs.iter().filter(|cut| cut.end > lo).fold(0.0, |largest: f64, cut| largest.max(of(cut)))
-    };
-    let shortest = first.min(FIRST / largest(0.0, |cut| cut.extent)).max(LEAST * end);
+    let longest = |lo: f64| cut_offs.iter().filter(|cut| cut.end > lo).fold(0.0, |own: f64, cut| own.max(cut.own));
+    let shortest = first.min(FIRST / (farthest + longest(0.0))).max(LEAST * end);
     let (mut panels, mut lo) = (Vec::new(), 0.0);
     while lo < end {
-        let [extent, own] = [largest(lo, |cut| cut.extent), largest(lo, |cut| cut.own)];
-        let [whole, alone] = [PHASE / extent, SHORT_PHASE / own];
+        // over the extent the integrand oscillates
+        let extent = farthest + longest(lo);
+        let [whole, alone] = [PHASE / extent, SHORT_PHASE / longest(lo)];
         let far = lo * extent > FAR && alone > whole;
         let allowed = if far { alone } else { whole };
         let width = if lo == 0.0 { shortest } else { (precision.growth * lo).min(allowed) };
@@ -242,8 +240,8 @@ mod tests {
 
     #[test]
     fn panels_integrate_waves_of_any_length_exactly() {
-        let cut = CutOff { end: 40.0, extent: 1e9, own: 1.0 };
-        let all = panels(&[cut], (0.3, false), &FULL).unwrap();
+        let (cut, farthest) = (CutOff { end: 40.0, own: 1.0 }, 1e9);
+        let all = panels(&[cut], farthest, (0.3, false), &FULL).unwrap();
         // ∫ e^(−λ) e^(iλx) dλ = 1/(1 − ix), and what was left out
         for x in [0.0, 0.3, 20.0, 3e3, 1e5, 1e7, 1e9] {
             let mut sum = Complex64::ZERO;
@@ -255,7 +253,7 @@ mod tests {
             }
             let expected = Complex64::new(1.0, -x).inv();
             // waves below FAR are summed as they are: in each of their panels the phases at both ends are rounded
-            let phase = FAR / cut.extent * x;
+            let phase = FAR / farthest * x;
             let rounding = 2.0 * phase / PHASE * phase * f64::EPSILON;
             assert!((sum - expected).norm() < (1e-12 + rounding) * expected.norm(), "{x}: {sum} {expected}");
         }
