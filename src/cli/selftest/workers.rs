@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 use recede::selftest::{CheckedScene, Comparison, compare};
-use recede::{Options, Solution};
+use recede::{Contact, Options};
 use serde::{Deserialize, Serialize};
 
 use super::super::Failure;
@@ -66,7 +66,21 @@ impl SelftestArguments {
         let CheckedScene { outcome, seconds } =
             CheckedScene::run(&scene, &options, number.is_multiple_of(super::PICTURED));
         let solution = outcome.solution();
-        let answer = solution.map(|solution| AnswerNumbers::of(solution, thickness));
+        let answer = solution.map(|solution| {
+            let of = |contact: &Contact| {
+                let end = contact.intervals().last().map_or(0.0, |last| last.right_error / last.right);
+                [end, contact.central_pressure_error / contact.central_pressure]
+            };
+            let first = solution.contacts().first().map_or(0.0, Contact::reach);
+            AnswerNumbers {
+                modes: solution.modes(),
+                wavenumbers: solution.wavenumbers(),
+                newton_steps: solution.newton_steps(),
+                relative_half_length: (thickness > 0.0).then_some(first / thickness),
+                worst: solution.contacts().iter().flat_map(of).fold(0.0, f64::max),
+                warned: !solution.warnings().is_empty(),
+            }
+        });
         let comparisons = solution.filter(|_| self.verify).and_then(|solution| compare(&scene, solution).ok());
         Ok(Ended {
             number,
@@ -77,27 +91,6 @@ impl SelftestArguments {
             answer,
             comparisons,
         })
-    }
-}
-
-impl AnswerNumbers {
-    /// What is told of a solution for a stack of this thickness.
-    fn of(solution: &Solution, thickness: f64) -> Self {
-        let contacts = solution.contacts();
-        let worst = contacts.iter().fold(0.0, |worst: f64, contact| {
-            worst
-                .max(contact.intervals().last().map_or(0.0, |last| last.right_error / last.right))
-                .max(contact.central_pressure_error / contact.central_pressure)
-        });
-        let first = contacts.first().map_or(0.0, |contact| contact.reach());
-        Self {
-            modes: solution.modes(),
-            wavenumbers: solution.wavenumbers(),
-            newton_steps: solution.newton_steps(),
-            relative_half_length: (thickness > 0.0).then_some(first / thickness),
-            worst,
-            warned: !solution.warnings().is_empty(),
-        }
     }
 }
 
