@@ -121,7 +121,7 @@ pub(crate) fn heights(
         Interface::Punch => {
             let (pressed, _) = top.punches()?.parts().nth(number)?;
             let punch = pressed.shape();
-            let flattened = punch.material().map(|material| field.flattening(0, &material, x));
+            let flattened = punch.material().map(|material| field.flattening(&material, x));
             // nothing is above the stack beyond the edge of a punch, but for rounding where a contact ends at a corner
             let [left, right] = punch.shape().ends();
             let profile = |x: f64| {

@@ -142,9 +142,9 @@ impl Field {
         self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h)
     }
 
-    /// Half-length of the narrowest strip of a contact that is one.
-    pub(super) fn narrowest(&self, contact: usize) -> f64 {
-        let strips = self.pressures[contact].strips().map(|strip| strip.extent);
-        strips.filter(|a| *a > 0.0).fold(self.length(contact), f64::min)
+    /// Half-length of the narrowest strip on the top face that is one.
+    pub(super) fn narrowest(&self) -> f64 {
+        let strips = self.pressures[0].strips().map(|strip| strip.extent);
+        strips.filter(|a| *a > 0.0).fold(self.length(0), f64::min)
     }
 }

@@ -32,13 +32,12 @@ impl Field {
         Ok(faces.map(|((layer, side), points)| FaceProfile { layer, side, points }).collect())
     }
 
-    /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure of a contact: it is
+    /// How much higher the face of a punch of this material is, but for a constant, than it would be without the pressure on it: it is
     /// flattened like a half-plane.
-    pub(crate) fn flattening(&self, contact: usize, material: &Isotropic, xs: &[f64]) -> Vec<f64> {
+    pub(crate) fn flattening(&self, material: &Isotropic, xs: &[f64]) -> Vec<f64> {
         let material = material.material(self.geometry.plane());
         let Some(mut surface) = Surface::new(&|_| material, 1.0, self.modulus) else { return vec![0.0; xs.len()] };
         surface.shift = f64::INFINITY;
-        let pressure = &self.pressures[contact];
-        xs.iter().map(|x| -surface.closed(pressure, self.place(*x), 0.0, true)[4]).collect()
+        xs.iter().map(|x| -surface.closed(&self.pressures[0], self.place(*x), 0.0, true)[4]).collect()
     }
 }

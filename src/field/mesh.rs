@@ -115,7 +115,7 @@ impl Pieces {
     pub(super) fn all(field: &Field, is_near: bool) -> Vec<Self> {
         let mut all: Vec<Self> = (0..field.layers.len()).map(|layer| Self::of_layer(field, layer, is_near)).collect();
         // about the places of the top face at which a pressure jumps
-        let near = CLOSE * field.narrowest(0);
+        let near = CLOSE * field.narrowest();
         let about = |at: f64| {
             let along = [[at - near, at], [at, at + near]].map(|ends| [ends; 2]).to_vec();
             Self { layer: 0, intervals: [along, vec![[[0.0, near]; 2]]] }

@@ -209,7 +209,7 @@ impl Field {
         let point =
             |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
         let rows: Vec<DepthRow> = depths.iter().map(point).collect::<Result<_, _>>()?;
-        Ok(Grid::new(xs.to_vec(), self.lines(xs, &rows, &FULL)?.concat()))
+        Ok(Grid { xs: xs.to_vec(), points: self.lines(xs, &rows, &FULL)?.concat() })
     }
 
     /// Stresses and displacements layer by layer, on grids that reach the layers' faces, since stresses along the layers
@@ -247,7 +247,7 @@ impl Field {
             }
         }
         let mut points = self.lines(xs, &rows, &FULL)?.into_iter();
-        let grid = |count: usize| Grid::new(xs.to_vec(), points.by_ref().take(count).flatten().collect());
+        let grid = |count| Grid { xs: xs.to_vec(), points: points.by_ref().take(count).flatten().collect() };
         Ok(counts.into_iter().map(grid).collect())
     }
 

@@ -186,15 +186,11 @@ impl FieldQuantity {
 /// Stresses and displacements on a grid: rows at one depth each, from the first to the last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grid {
-    xs: Vec<f64>,
-    points: Vec<FieldPoint>,
+    pub(super) xs: Vec<f64>,
+    pub(super) points: Vec<FieldPoint>,
 }
 
 impl Grid {
-    pub(super) fn new(xs: Vec<f64>, points: Vec<FieldPoint>) -> Self {
-        Self { xs, points }
-    }
-
     /// The places along x.
     pub fn xs(&self) -> &[f64] {
         &self.xs

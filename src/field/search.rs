@@ -156,7 +156,7 @@ fn infinite(field: &Field, &(measure, layer): &ExtremeSearch) -> Option<HighestP
     if layer.unwrap_or(0) != 0 || measure.is_on_face() {
         return None;
     }
-    let scale = [field.narrowest(0), 1.0].into_iter().find(|length| *length > 0.0)?;
+    let scale = [field.narrowest(), 1.0].into_iter().find(|length| *length > 0.0)?;
     let grows = |x: f64| {
         let [far, near] = CLOSE.map(|part| next_to(field, measure, x, part * scale));
         near.0 > far.0 * (1.0 + GROWS) && near.0 > GROWS * near.1
