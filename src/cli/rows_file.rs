@@ -45,16 +45,15 @@ pub(super) fn resume(
     let mut file = open(path)?;
     let begun = begun(path, &file, csv, |_| Ok(rows.clone()), see)?;
     let (name, of_other) = (path.display(), "holds something else than rows of this sweep, or of this part of it");
-    match begun.wrong {
-        Some(1) => {
-            let hint = "without --resume it is begun anew, and what it holds is lost";
-            return Err(Failure::usage(format!("{name} {of_other}"), hint));
-        }
-        Some(line) => {
-            let hint = "if lines were damaged, remove this one and all below it: --resume computes them again";
-            return Err(Failure::usage(format!("{name}, line {line}, {of_other}"), hint));
-        }
-        None => {}
+    if let Some(line) = begun.wrong {
+        let (place, hint) = match line {
+            1 => (String::new(), "without --resume it is begun anew, and what it holds is lost"),
+            _ => {
+                let hint = "if lines were damaged, remove this one and all below it: --resume computes them again";
+                (format!(", line {line},"), hint)
+            }
+        };
+        return Err(Failure::usage(format!("{name}{place} {of_other}"), hint));
     }
     // half a line, if there is one, is made again
     file.set_len(begun.bytes).and_then(|()| file.seek(SeekFrom::Start(begun.bytes))).map_err(failed)?;

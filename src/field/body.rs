@@ -196,6 +196,15 @@ impl LoadedBody {
         Some(differences.fold(0.0, f64::max))
     }
 
+    /// The faces whose closed forms hold at a depth in one of its layers, with the contact and the distance.
+    pub(super) fn surfaces(&self, placed: &PlacedLayer, depth: f64) -> impl Iterator<Item = (&Surface, usize, f64)> {
+        let above = Some(depth).filter(|_| placed.place == 0);
+        let below = placed.thickness.filter(|_| placed.place + 1 == self.layers.len()).map(|h| (h - depth).max(0.0));
+        let of =
+            |(side, distance): (usize, Option<f64>)| Some((self.faces[side].as_ref()?, self.contact + side, distance?));
+        [above, below].into_iter().enumerate().filter_map(of)
+    }
+
     /// The contacts on its loaded faces, the face on top first.
     pub(super) fn contacts(&self) -> Range<usize> {
         self.contact..self.contact + 1 + usize::from(self.bottom.is_some())

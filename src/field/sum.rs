@@ -11,7 +11,7 @@ use super::body::{DepthRow, LoadedBody, PlacedLayer, Rows, components};
 use super::error::FieldError;
 use super::joints::Motion;
 use super::pressure::ContactPressure;
-use super::surface::{COMPONENTS, Components, Surface};
+use super::surface::{COMPONENTS, Components};
 use super::transform::Transform;
 use super::waves::{self, CutOff, Precision, WavePanel};
 use super::{FaceLoad, Field};
@@ -42,21 +42,6 @@ const CHANNELS: [Channel; 2] = [
     Channel { tables: [(1, 1.0), (1, 1.0), (0, 1.0), (0, 1.0), (2, 1.0), (0, 1.0)], counted: (4, 1.0) },
     Channel { tables: [(0, 1.0), (0, 1.0), (1, -1.0), (2, -1.0), (0, 1.0), (1, -1.0)], counted: (3, -1.0) },
 ];
-
-/// The faces of a body whose closed forms hold in a layer, with the contact and the distance.
-fn faces<'a>(
-    body: &'a LoadedBody,
-    placed: &'a PlacedLayer,
-    depth: f64,
-) -> impl Iterator<Item = (&'a Surface, usize, f64)> + use<'a> {
-    let top = (placed.place == 0).then_some(depth);
-    let bottom =
-        (placed.place + 1 == body.layers.len()).then(|| placed.thickness.map(|h| (h - depth).max(0.0))).flatten();
-    [top, bottom]
-        .into_iter()
-        .enumerate()
-        .filter_map(move |(side, distance)| Some((body.faces[side].as_ref()?, body.contact + side, distance?)))
-}
 
 impl Field {
     /// σ_xx, σ_yy, σ_xy, u, v, dv/dx in rows of points.
@@ -106,9 +91,9 @@ impl Field {
     /// The closed forms at a place in a layer.
     fn closed_at(&self, placed: &PlacedLayer, depth: f64, x: f64, displacements: bool) -> Components {
         let mut sum = Components::default();
-        for (face, contact, distance) in faces(&self.bodies[placed.body], placed, depth) {
+        for (surface, contact, distance) in self.bodies[placed.body].surfaces(placed, depth) {
             let pressure = &self.pressures[contact];
-            let closed = face.closed(pressure, x, distance, displacements);
+            let closed = surface.closed(pressure, x, distance, displacements);
             sum.iter_mut().zip(closed).for_each(|(sum, value)| *sum += value);
             if let Some(sinks) = pressure.singularity(x).filter(|_| distance == 0.0) {
                 // the limits along the loaded face; the limits of the shear stress and of the slope depend on the direction
@@ -280,8 +265,8 @@ impl Field {
         transform: impl Fn(usize) -> [f64; 2],
     ) -> Components {
         let mut remainder = components(state, &placed.layer.material(depth, self.geometry.plane()), self.modulus);
-        for (face, contact, distance) in faces(body, placed, depth) {
-            let surface = face.transformed(wavenumber, distance);
+        for (surface, contact, distance) in body.surfaces(placed, depth) {
+            let surface = surface.transformed(wavenumber, distance);
             let [pressure, _] = transform(contact);
             remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= pressure * surface);
         }
