@@ -316,15 +316,11 @@ mod tests {
     }
 
     #[test]
-    fn labels_are_short() {
+    fn labels_are_short_and_tell_values_apart() {
         assert_eq!(label(0.1 + 0.2), "0.3");
         assert_eq!(label(-2.5e-7), "−2.5·10⁻⁷");
         assert_eq!(label(1e6), "10⁶");
         assert_eq!(short(95.0 / 7.0), "13.57");
-    }
-
-    #[test]
-    fn different_values_have_different_labels() {
         assert_eq!(distinct(&[95.0 / 7.0, 1.0, 95.0 / 7.0]), ["13.57", "1", "13.57"]);
         assert_eq!(distinct(&[1.0, 1.00001, 1.00002]), ["1", "1.00001", "1.00002"]);
         assert_eq!(distinct(&[-1.23456e-7, -1.23457e-7]), ["−1.23456·10⁻⁷", "−1.23457·10⁻⁷"]);
