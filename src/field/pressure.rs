@@ -68,7 +68,8 @@ impl ContactPressure {
 
     /// The ends; where the pressure ends abruptly, next to them on both sides, at which stresses are the limits from there.
     pub(super) fn sides(&self) -> impl Iterator<Item = f64> {
-        self.ends.iter().flat_map(|end| match self.ending(*end, Strip::is_abrupt) {
+        let is_abrupt = |strip: &Strip| strip.form == Form::Uniform || strip.corners != [0.0; 2];
+        self.ends.iter().flat_map(move |end| match self.ending(*end, is_abrupt) {
             Some(strip) => [-2.0, 2.0].map(|side| end + side * AT * strip.extent.max(end.abs() + self.far)),
             None => [*end; 2],
         })

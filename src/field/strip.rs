@@ -70,11 +70,6 @@ impl TabulatedStrip {
 }
 
 impl Strip {
-    /// Whether the pressure does not vanish at its ends.
-    pub(super) fn is_abrupt(&self) -> bool {
-        self.form == Form::Uniform || self.corners != [0.0; 2]
-    }
-
     /// w = √(z² + 1) − z with z = (d − ix)/a, and the root: ∫ J_j(λa) e^(−λaz) dλ/λ = wʲ/j.
     fn map(&self, x: f64, depth: f64) -> (Complex64, Complex64, Complex64) {
         let z = Complex64::new(depth, -x) / self.extent;

@@ -64,11 +64,6 @@ impl Ply {
             Some(steepness) => Item::layer(Exponential::new(thickness, modulus, poisson, steepness / thickness)?),
         })
     }
-
-    /// The interface below it.
-    pub fn interface(&self) -> Item {
-        if self.receding { Item::Receding } else { Item::Bonded }
-    }
 }
 
 impl Scenario {
@@ -79,7 +74,7 @@ impl Scenario {
     pub fn items(&self) -> Result<Vec<Item>, Error> {
         let mut items = Vec::new();
         for layer in &self.layers {
-            items.extend([layer.item()?, layer.interface()]);
+            items.extend([layer.item()?, if layer.receding { Item::Receding } else { Item::Bonded }]);
         }
         items.push(match self.base {
             Some((modulus, poisson)) => Item::layer(HalfPlane::new(modulus, poisson)?),
