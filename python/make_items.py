@@ -183,6 +183,8 @@ def docstring(description: str, fields: dict[str, Any], order: list[str]) -> lis
 def module(title: str, groups: dict[str, dict[str, Form]], own: dict[str, str] | None = None) -> str:
     """A module with the classes of some groups; `own` are base classes that it has itself, with what they are."""
     writer, parts, names = Writer(), [], list(groups)
+    # a field may be one of a group
+    writer.choices.update(groups)
     for base, forms in groups.items():
         if base in (own or {}):
             parts.append(f'class {base}(Item):\n    """{(own or {})[base]}"""\n\n    __slots__ = ()')

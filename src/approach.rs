@@ -21,7 +21,7 @@ use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Pressed, Punch, Punches, Top};
-use crate::solution::{Contact, Solution};
+use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
 
 /// Two means need not be those in which most is missing.
@@ -132,7 +132,9 @@ pub(crate) fn of_each(
     solution: &Solution,
 ) -> Vec<Result<Approach, ApproachError>> {
     match punches(top, stack) {
-        Ok(punches) => (0..punches.parts().count()).map(|number| of_one(top, number, kernel, solution)).collect(),
+        Ok(punches) => {
+            (0..punches.parts().count()).map(|number| of_one(top, number, stack, kernel, solution)).collect()
+        }
         Err(error) => vec![Err(error)],
     }
 }
@@ -145,16 +147,22 @@ pub(crate) fn approach(
     solution: &Solution,
 ) -> Result<Approach, ApproachError> {
     defined(top, stack)?;
-    of_one(top, 0, kernel, solution)
+    of_one(top, 0, stack, kernel, solution)
 }
 
 /// How far the tip of the punch of this number has moved down since the punch, not turned, touched the top face with its lowest point; and the stiffness if it is even and alone.
-fn of_one(top: &Top, number: usize, kernel: &Kernel, solution: &Solution) -> Result<Approach, ApproachError> {
+fn of_one(
+    top: &Top,
+    number: usize,
+    stack: &Stack,
+    kernel: &Kernel,
+    solution: &Solution,
+) -> Result<Approach, ApproachError> {
     let punch = top.punches().and_then(|punches| punches.parts().nth(number));
     let (pressed, _) = punch.ok_or(ApproachError::Load)?;
     let material = top.material();
     let kernel = material.map_or(Cow::Borrowed(kernel), |material| Cow::Owned(kernel.under_half_plane(&material)));
-    let [value, second] = sunk(Some(pressed), number, &kernel, solution);
+    let [value, second] = sunk(Some((pressed, &stack.gaps().0)), number, &kernel, solution);
     let relative = ROUNDING + relative_error(solution, true);
     let error = SAFETY * ((value - second).abs() + relative * value.abs());
     let stiffness = match top.even_punch().and_then(|_| contact::tangent(&kernel, top, solution)) {
@@ -196,7 +204,12 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
 
 /// How far a punch, or a flat one, has sunk into the top face, twice: with two means over the middle of each contact. They differ by the errors of the
 /// pressures.
-fn sunk(punch: Option<&Pressed>, number: usize, kernel: &Kernel, solution: &Solution) -> [f64; 2] {
+fn sunk(
+    pressed: Option<(&Pressed, &[(Interface, Punch)])>,
+    number: usize,
+    kernel: &Kernel,
+    solution: &Solution,
+) -> [f64; 2] {
     let (length, is_round) = (kernel.length(), kernel.geometry().is_axisymmetric());
     let touching = |(i, contact): (usize, &Contact)| -> Vec<[f64; 2]> {
         if contact.about.is_some() {
@@ -219,20 +232,28 @@ fn sunk(punch: Option<&Pressed>, number: usize, kernel: &Kernel, solution: &Solu
     }
     let end = |contact: &Contact| largest(contact.ends().map(|end| (end - from).abs() / length));
     let ends: Vec<f64> = all().map(end).collect();
-    let [first, second] = punch.zip(windows.first()).map_or([0.0; 2], |(pressed, window)| {
-        let shape = pressed.shape().shape();
-        let mut starts = shape.starts();
+    // how much higher than at its lowest point a punch is, or a gap, before it was turned
+    let mean = |window: &MeanWindow, punch: &Punch, at: f64, tilt: f64| {
+        let (mut starts, lowest) = (punch.shape().starts(), punch.shape().lowest());
         // powers are not smooth at the tip
         starts.push(0.0);
-        let starts: Vec<f64> = starts.iter().map(|start| (start + pressed.at() - from) / length).collect();
-        let (lowest, tilt) = (shape.lowest(), solution.punches().get(number).map_or(0.0, |carried| carried.tilt));
+        let starts: Vec<f64> = starts.iter().map(|start| (start + at - from) / length).collect();
         let height = |x: f64| {
-            let from_tip = x * length + from - pressed.at();
-            pressed.shape().profile(from_tip) - lowest + tilt * from_tip
+            let from_tip = x * length + from - at;
+            punch.profile(from_tip) - lowest + tilt * from_tip
         };
         window.of_profile(is_round, height, &starts)
-    });
-    let mut sunk = [first - turned, second - turned];
+    };
+    let mut sunk = [-turned; 2];
+    let mut add = |means: [f64; 2]| sunk.iter_mut().zip(means).for_each(|(sunk, mean)| *sunk += mean);
+    if let Some((pressed, gaps)) = pressed {
+        let tilt = solution.punches().get(number).map_or(0.0, |carried| carried.tilt);
+        add(mean(&windows[0], pressed.shape(), pressed.at(), tilt));
+        for (window, contact) in windows.iter().zip(all()) {
+            let gap = gaps.iter().find(|(interface, _)| *interface == contact.interface);
+            gap.iter().for_each(|(_, gap)| add(mean(window, gap, 0.0, 0.0)));
+        }
+    }
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
     let pressures: Vec<ContactPressure> = all().map(|contact| ContactPressure::new(contact, is_even, from)).collect();
     kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {

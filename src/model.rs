@@ -11,7 +11,7 @@ use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Pressed, Scene, Top};
 use crate::solution::{Interface, Ledger, OwnerKey, Solution};
-use crate::stack::Stack;
+use crate::stack::{Gaps, Stack};
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
 ///
@@ -36,6 +36,7 @@ pub struct Model {
     /// The key of the stack, by which a solution is known to belong to it.
     key: OwnerKey,
     interfaces: Vec<Interface>,
+    gaps: Gaps,
     kernel: Kernel,
     curves: Option<Arc<Curves>>,
 }
@@ -53,7 +54,8 @@ impl Model {
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
         let kernel = Kernel::new(&stack)?;
-        Ok(Self { key: OwnerKey::new(stack.key()), interfaces: stack.contacts(), stack, kernel, curves: None })
+        let (key, interfaces, gaps) = (OwnerKey::new(stack.key()), stack.contacts(), stack.gaps());
+        Ok(Self { key, interfaces, gaps, stack, kernel, curves: None })
     }
 
     /// The same model for many forces under a few punches: it keeps solutions at fixed forces, each of them found when it is first needed, and interpolates between
@@ -124,6 +126,7 @@ impl Model {
             kernel: &self.kernel,
             interfaces: &self.interfaces,
             top,
+            gaps: &self.gaps.0,
             tolerance: options.tolerance,
         }
     }

@@ -135,7 +135,7 @@ pub(crate) fn heights(
         Interface::Between { above, below } => {
             // a rigid base without layers has no face, and stays where it is
             let (above, below) = (face(above, FaceSide::Bottom), face(below, FaceSide::Top));
-            (0..x.len()).map(|k| v(above, k) - v(below, k)).collect()
+            (0..x.len()).map(|k| v(above, k) - v(below, k) + field.gaps.height(interface, x[k])).collect()
         }
     })
 }

@@ -27,6 +27,7 @@ mod far_fields;
 mod field;
 mod flat;
 mod gallery;
+mod gaps;
 mod half_length;
 mod half_planes;
 mod hard_scenes;

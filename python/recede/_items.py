@@ -11,7 +11,7 @@ from ._recede import CompiledTop, Scene
 from ._values import Number, Written, hints, is_record, kept, members, written
 
 #: What the reader of scenes calls the item that it reads.
-OWNER = r"(?:layer \d+ \(\w+\)|the springs below layer \d+|the punch|the load|punch \d+)"
+OWNER = r"(?:layer \d+ \(\w+\)|the (?:springs|interface|gap) below layer \d+|the punch|the load|punch \d+)"
 #: Units for numbers that have one.
 UNITS = 'units: (length: "m", force: "N"), '
 PUNCH = "punch: Parabola(radius: 1.0)"
@@ -78,10 +78,8 @@ class Item(Written):
 
     def ron(self) -> str:
         """As it is written in a scene."""
-        if not type(self).__slots__:
-            return type(self).__name__
-        fields = (written(one) if name in UNNAMED else f"{name}: {written(one)}" for name, one in self._fields().items())
-        return f"{type(self).__name__}({', '.join(fields)})"
+        fields = [written(one) if name in UNNAMED else f"{name}: {written(one)}" for name, one in self._fields().items()]
+        return f"{type(self).__name__}({', '.join(fields)})" if fields else type(self).__name__
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("items cannot be changed; make another one")
@@ -126,7 +124,7 @@ class StackItem(Item):
     __slots__ = ()
 
     def _scenes(self) -> list[str]:
-        return [alone("PlaneStrain", PUNCH, self.ron())]
+        return [alone(geometry, PUNCH, self.ron()) for geometry in ("PlaneStrain", "Axisymmetric")]
 
 
 class _Top(Item):

@@ -44,6 +44,16 @@ pub enum ContactError {
 }
 
 impl ContactError {
+    /// What it means at a contact below the uppermost one, where it is about a gap in place of a punch.
+    pub(super) fn at(self, contact: usize) -> Self {
+        match self {
+            Self::NoSolution(NoSolution::PunchTooSmall { punch: gap, edge }) if contact > 0 => {
+                NoSolution::GapEnds { gap, edge }.into()
+            }
+            other => other,
+        }
+    }
+
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
         match self {
@@ -92,6 +102,14 @@ pub enum NoSolution {
         /// The punch as it is written in a scene.
         punch: String,
         /// Half-width of the punch, its radius in axisymmetric problems, in length.
+        edge: f64,
+    },
+    /// The contact between two layers would reach the end of the gap that is given between them.
+    #[error("the contact that closes the gap {gap} would reach its end, {edge:?} from its middle")]
+    GapEnds {
+        /// The gap as it is written in a scene.
+        gap: String,
+        /// Where it ends, in length.
         edge: f64,
     },
     /// The contacts under two punches would grow together.
@@ -146,13 +164,17 @@ fn reachable(below: Option<f64>, above: Option<f64>) -> String {
 impl NoSolution {
     /// Whether the input is at fault, rather than the solver unable to find an admissible solution.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::PunchTooSmall { .. } | Self::PunchesMeet { .. } | Self::Unreachable { .. })
+        matches!(
+            self,
+            Self::PunchTooSmall { .. } | Self::GapEnds { .. } | Self::PunchesMeet { .. } | Self::Unreachable { .. }
+        )
     }
 
     /// What to do about it, if that can be said.
     pub fn hint(&self) -> Option<String> {
         let hint = match self {
             Self::PunchTooSmall { .. } => return None,
+            Self::GapEnds { .. } => "give the gap farther out, or press with a smaller force",
             Self::PunchesMeet { .. } => "put them farther apart, or press with smaller forces",
             Self::NotConverged => {
                 "contacts hundreds of times longer than a layer next to them is thick need more modes than there are: \

@@ -17,7 +17,7 @@ mod thin;
 use std::borrow::Cow;
 
 use crate::kernel::Kernel;
-use crate::scene::{Force, Top};
+use crate::scene::{Force, Punch, Top};
 use crate::solution::{Controlled, Interface, Ledger, OwnerKey, Solution};
 
 pub use error::{ContactError, NoSolution};
@@ -38,6 +38,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) kernel: &'a Kernel,
     pub(crate) interfaces: &'a [Interface],
     pub(crate) top: &'a Top,
+    /// Gaps between layers before anything is loaded.
+    pub(crate) gaps: &'a [(Interface, Punch)],
     /// Relative error wanted.
     pub(crate) tolerance: f64,
 }
@@ -48,6 +50,9 @@ pub(crate) fn press(asked: &Asked, force: Force) -> Result<Solution, ContactErro
     let asked = &Asked { top: &drive.top, ..*asked };
     let own = &*asked.kernel_under(drive.force);
     let problem = drive.of(asked.problem(own, drive.force));
+    if matches!(force, Force::ForHalfLength(_)) && !problem.is_even() {
+        return Err(ContactError::UnevenPunch);
+    }
     let answer = if problem.unknown().next().is_none() { Ok(Answer::known(&problem)) } else { solve(&problem) };
     let answer = answer.map_err(|error| drive.unmet(error))?;
     Ok(answer.into_solution(&problem, drive.force, Some(asked.stack)))
@@ -102,7 +107,7 @@ impl Asked<'_> {
     /// The kernel with what an elastic punch adds to it, in a unit of length that suits contacts on a stack without one.
     pub(crate) fn kernel_under(&self, force: f64) -> Cow<'_, Kernel> {
         let kernel = self.kernel_with_punch();
-        match formulas::length(&kernel, self.top, force) {
+        match formulas::length(&kernel, (self.top, self.gaps), force) {
             Some(length) => Cow::Owned(kernel.measured_in(length)),
             None => kernel,
         }
@@ -118,7 +123,7 @@ impl Asked<'_> {
 
     /// The problem on its kernel with a force in the units of the scene.
     pub(crate) fn problem<'b>(&'b self, kernel: &'b Kernel, force: f64) -> Problem<'b> {
-        Problem::new(kernel, self.interfaces, self.top, force, self.tolerance)
+        Problem::new(kernel, self.interfaces, (self.top, self.gaps), force, self.tolerance)
     }
 }
 
@@ -149,7 +154,8 @@ mod tests {
                 let expected = Model::new(stack.clone()).unwrap().press(&punch, force).unwrap();
                 let top = &expected.contacts[0];
                 let given = Given::of(top.innermost().right / kernel.length(), &top.strips[0].coefficients);
-                let mut problem = Problem::new(&kernel, &interfaces, &punch, force, Options::default().tolerance);
+                let mut problem =
+                    Problem::new(&kernel, &interfaces, (&punch, &[]), force, Options::default().tolerance);
                 problem.sides[0] = Side::Known(given);
                 let found = solve(&problem).unwrap().into_solution(&problem, force, None);
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {

@@ -81,6 +81,10 @@ impl<'a> Thin<'a> {
         let mut thin = Self { kernel: Cow::Borrowed(problem.kernel), error: 0.0, thinnest: 1.0, contacts, joined };
         if !problem.sides.iter().any(Side::is_sharp) {
             for upper in problem.unknown().collect::<Vec<_>>().into_iter().rev().skip(1) {
+                // bodies that were apart may touch elsewhere than those above them
+                if !matches!(problem.sides[upper + 1], Side::Closed) {
+                    continue;
+                }
                 thin.join_below(upper, &mut half_lengths)?;
             }
         }

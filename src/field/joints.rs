@@ -42,7 +42,7 @@ impl Field {
             let v = |row: Option<usize>| row.map_or(0.0, |row| values[row][0][4]);
             let apart = [0, 1].map(|k| {
                 let [above, own] = joints[k].map(v);
-                own + below.lift + below.turn * places[k] - above
+                own + below.lift + below.turn * places[k] - above - self.apart[contact][k]
             });
             let [from, to] = *places;
             let turn = if from < to { (apart[1] - apart[0]) / (to - from) } else { 0.0 };

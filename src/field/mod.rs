@@ -33,7 +33,7 @@ pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;
 use crate::solution::{Contact, Solution};
-use crate::stack::Stack;
+use crate::stack::{Gaps, Stack};
 use crate::system::FaceLoad;
 pub use error::FieldError;
 
@@ -88,6 +88,10 @@ pub struct Field {
     middle: f64,
     /// For each contact two places at which the bodies touch; of an even one the same twice, 0 unless they are apart there.
     joints: Vec<[f64; 2]>,
+    /// Gaps between layers before they were loaded.
+    pub(crate) gaps: Gaps,
+    /// The gap at these places of each contact.
+    apart: Vec<[f64; 2]>,
     /// μ₀, by which displacements are multiplied.
     modulus: f64,
     /// Ratio of the largest to the smallest stiffness in the stack.
@@ -119,6 +123,7 @@ impl Field {
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let below = stack.base();
         let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
+        let joints: Vec<[f64; 2]> = contacts.iter().map(|contact| contact.clone().moved(-middle).touching()).collect();
         let mut field = Self {
             geometry: stack.geometry(),
             bodies: LoadedBody::all(stack, &layers, &pressures, modulus),
@@ -126,13 +131,17 @@ impl Field {
             pressures,
             is_even,
             middle,
-            joints: contacts.iter().map(|contact| contact.clone().moved(-middle).touching()).collect(),
+            joints,
+            gaps: stack.gaps(),
+            apart: Vec::new(),
             modulus,
             contrast: largest / smallest,
             over_support: largest / support_stiffness(stack, modulus),
             base: is_joined.then(|| below.foundation().number()),
             pressure_error: 0.0,
         };
+        let apart = contacts.iter().zip(&field.joints);
+        field.apart = apart.map(|(own, joint)| joint.map(|x| field.gaps.height(own.interface, x + middle))).collect();
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
         field.pressure_error = contacts.iter().enumerate().map(error).sum();
         field

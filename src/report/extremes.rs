@@ -81,6 +81,6 @@ fn layers(scene: &Scene) -> impl Iterator<Item = (usize, bool)> {
     let items = scene.stack.iter().enumerate().filter(|(_, item)| !item.is_interface());
     items.zip(1..).filter_map(|((index, item), number)| {
         let below = scene.stack.get(index + 1);
-        matches!(item, Item::Layer(_)).then(|| (number, below.is_some_and(|item| !matches!(item, Item::Receding))))
+        matches!(item, Item::Layer(_)).then(|| (number, below.is_some_and(|item| !item.is_receding())))
     })
 }

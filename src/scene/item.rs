@@ -6,11 +6,14 @@ use recede_layers::{Body, Layer, Positive, Registry, Support};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::punch::Punch;
 use super::text::written;
 use super::value::ValueError;
+use crate::geometry::Geometry;
 
-/// The one interface that has fields.
+/// The interfaces that have fields.
 pub(super) const SPRING: &str = "Spring";
+pub(super) const RECEDING: &str = "Receding";
 
 /// One line of the stack in a scene.
 #[derive(Clone, Debug)]
@@ -27,6 +30,8 @@ pub enum Item {
     Spring(Spring),
     /// Interface without friction or adhesion, free to open: where it is closed it transmits pressure only.
     Receding,
+    /// The same between layers that are apart by a gap before they are loaded, of the shape of a punch about x = 0.
+    RecedingGap(Punch),
     /// Rigid base at the bottom.
     Rigid,
 }
@@ -99,7 +104,7 @@ impl Item {
             Self::Bonded => "Bonded",
             Self::Sliding => "Sliding",
             Self::Spring(_) => SPRING,
-            Self::Receding => "Receding",
+            Self::Receding | Self::RecedingGap(_) => RECEDING,
             Self::Rigid => "Rigid",
         }
     }
@@ -111,15 +116,21 @@ impl Item {
 
     /// Whether the item is an interface, which joins or divides layers.
     pub fn is_interface(&self) -> bool {
-        matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_) | Self::Receding)
+        matches!(self, Self::Bonded | Self::Sliding | Self::Spring(_)) || self.is_receding()
     }
 
-    /// The item as it is written in a scene.
-    pub(super) fn written(&self) -> String {
+    /// Whether the item is an interface that may open.
+    pub(crate) fn is_receding(&self) -> bool {
+        matches!(self, Self::Receding | Self::RecedingGap(_))
+    }
+
+    /// The item as it is written in a scene of this geometry.
+    pub(super) fn written(&self, geometry: Geometry) -> String {
         match self {
             Self::Layer(layer) => layer.notation().to_string(),
             Self::Support(support) => support.notation().to_string(),
             Self::Spring(spring) => format!("{SPRING}{}", written(spring)),
+            Self::RecedingGap(gap) => format!("{RECEDING}(gap: {})", gap.written_in(geometry)),
             Self::Bonded | Self::Sliding | Self::Receding | Self::Rigid => self.name().to_owned(),
         }
     }
@@ -129,7 +140,11 @@ impl Item {
         [
             (Self::Bonded, "All displacements and stresses are continuous."),
             (Self::Sliding, "No friction, but no opening either: only v and σ_yy are continuous."),
-            (Self::Receding, "No friction, no adhesion, free to open: where closed it transmits pressure only."),
+            (
+                Self::Receding,
+                "No friction, no adhesion, free to open: where closed it transmits pressure only. Where layers are apart before they are loaded, \
+                 `Receding(gap: ...)` with the shape of a punch.",
+            ),
             (Self::Rigid, "A rigid base, to which the layer above is joined or on which it lies loose."),
         ]
     }

@@ -113,7 +113,7 @@ impl Scene {
                 Owner::Item(index) => {
                     let number = 1 + self.stack[..index].iter().filter(|item| !item.is_interface()).count();
                     let node = scene.node(slot.owner).unwrap_or(&origin.tree);
-                    scene.stack[index] = read_item(node, number, origin)?;
+                    scene.stack[index] = read_item(node, number, self.geometry, origin)?;
                     continue;
                 }
                 Owner::Top => scene.top = read_top(name, top, self.geometry, origin)?,

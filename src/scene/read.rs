@@ -15,9 +15,10 @@ use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
 
 use super::hints::instead_of;
-use super::item::SPRING;
+use super::item::{RECEDING, SPRING};
 use super::origin::{Origin, SceneError};
 use super::read_top::{only_top, read_top};
+use super::round::RoundPunch;
 use super::units::without_units;
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
@@ -211,7 +212,9 @@ fn read_scene(own: Origin) -> Result<Scene, SceneError> {
         return Err(origin.error_at(list, message));
     }
     let mut number = 1;
-    let read = |node| read_item(node, number, origin).inspect(|item| number += usize::from(!item.is_interface()));
+    let read = |node| {
+        read_item(node, number, draft.geometry, origin).inspect(|item| number += usize::from(!item.is_interface()))
+    };
     let stack = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let Draft { name, description, units, geometry, .. } = draft;
     Ok(Scene { name, description, units, geometry, top, force, stack, origin: Some(Arc::new(own)) })
@@ -246,8 +249,8 @@ pub(super) fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &O
     Err(origin.both(other, found.field(), hint))
 }
 
-/// Reads the item that is, or would be, layer `number`.
-pub(super) fn read_item(item: &Node, number: usize, origin: &Origin) -> Result<Item, SceneError> {
+/// Reads the item that is, or would be, layer `number`, of a scene of this geometry.
+pub(super) fn read_item(item: &Node, number: usize, geometry: Geometry, origin: &Origin) -> Result<Item, SceneError> {
     let names = || Item::names(&origin.registry);
     let Some(name) = item.name.as_deref() else {
         let found = token(origin.rest(item.place.start));
@@ -257,6 +260,9 @@ pub(super) fn read_item(item: &Node, number: usize, origin: &Origin) -> Result<I
     if let Some(plain) = Item::plain(name) {
         if item.kind == Kind::Nothing {
             return Ok(plain);
+        }
+        if name == RECEDING {
+            return read_gap(item, number, geometry, origin);
         }
         let message = format!("`{name}` has no fields, found {}", token(origin.rest(item.inner)));
         return Err(origin.error(Some(item.inner), message).hinted(Some(format!("write `{name}` alone"))));
@@ -272,4 +278,31 @@ pub(super) fn read_item(item: &Node, number: usize, origin: &Origin) -> Result<I
     };
     let owner = format!("layer {number} ({name})");
     (entry.read)(item).map(Item::of).map_err(|error| origin.explained(item, &owner, entry.describe().as_ref(), error))
+}
+
+/// The fields of a receding interface.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[expect(dead_code, reason = "the gap is read from the tree")]
+pub(super) struct Receding {
+    /// How far the layers are apart before they are loaded: a shape as of a punch.
+    #[schemars(with = "Punch")]
+    gap: IgnoredAny,
+}
+
+/// Reads the receding interface with a gap below layer `number - 1`.
+fn read_gap(item: &Node, number: usize, geometry: Geometry, origin: &Origin) -> Result<Item, SceneError> {
+    let owner = format!("the interface below layer {}", number - 1);
+    let read = item.read_inner::<Receding>();
+    read.map_err(|error| origin.explained(item, &owner, Some(&Value::of::<Receding>()), error))?;
+    let (node, owner) = (item.field("gap").unwrap_or(item), format!("the gap below layer {}", number - 1));
+    let gap = match geometry.is_axisymmetric() {
+        true => Punch::from(origin.read::<RoundPunch>(node, &owner)?),
+        false => origin.read::<Punch>(node, &owner)?,
+    };
+    if gap.material().is_some() {
+        let error = origin.error_at(node, format!("{owner} is elastic"));
+        return Err(error.hinted(Some("a gap is a shape: write `Cylinder` or `Parabola`, or about an axis `Sphere`")));
+    }
+    Ok(Item::RecedingGap(gap))
 }

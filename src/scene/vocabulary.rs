@@ -3,7 +3,8 @@ use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value, schema_of, without_ranges};
 use serde_json::{Value as Json, json};
 
-use super::read::Draft;
+use super::item::RECEDING;
+use super::read::{Draft, Receding};
 use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch, Spring};
@@ -87,6 +88,13 @@ pub fn scene_schema(registry: &Registry) -> Json {
     let names = plain.iter().map(|form| json!({"const": form.name, "description": form.meaning}));
     let item = |name: &str, meaning: &str, inner: Json| json!({"type": "object", "description": meaning, "properties": {name: inner}, "required": [name], "additionalProperties": false});
     let springs = springs.iter().map(|form| item(&form.name, &form.meaning, schema_of::<Spring>().to_value()));
+    // the gap of a receding interface is of the shape of a punch, in the plane or about an axis
+    let mut gap = schema_of::<Receding>().to_value();
+    gap["properties"]["gap"] = json!({
+        "description": gap["properties"]["gap"]["description"],
+        "anyOf": [schema_of::<Punch>().to_value(), schema_of::<RoundPunch>().to_value()],
+    });
+    let gap = item(RECEDING, "", gap);
     let layers = registry.iter().map(|entry| {
         let fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
         item(entry.name, entry.summary, fields)
@@ -104,7 +112,8 @@ pub fn scene_schema(registry: &Registry) -> Json {
     plane["geometry"] = json!({"enum": ["PlaneStrain", "PlaneStress"]});
     schema["anyOf"] = json!([{"properties": plane}, {"properties": round}]);
     schema["properties"]["stack"]["type"] = "array".into();
-    schema["properties"]["stack"]["items"] = json!({"oneOf": layers.chain(springs).chain(names).collect::<Vec<_>>()});
+    schema["properties"]["stack"]["items"] =
+        json!({"oneOf": layers.chain(names).chain(springs).chain([gap]).collect::<Vec<_>>()});
     // a scene may name its schema, for editors
     schema["properties"]["$schema"] = json!({"type": "string"});
     without_ranges(&mut schema);

@@ -44,7 +44,7 @@ impl Scene {
         }
         text += "    stack: [\n";
         for item in &self.stack {
-            let _ = writeln!(text, "        {},", item.written());
+            let _ = writeln!(text, "        {},", item.written(self.geometry));
         }
         text + "    ],\n)\n"
     }

@@ -156,7 +156,7 @@ impl Kinds {
                 _ => continue,
             };
         }
-        let loose = matches!(items.get(items.len().saturating_sub(2)), Some(Item::Receding));
+        let loose = matches!(items.get(items.len().saturating_sub(2)), Some(item) if item.is_receding());
         if let (Some((modulus, poisson)), Some(last)) = (scenario.base, items.last_mut()) {
             let length = scenario.thickness();
             *last = match self.base {

@@ -5,7 +5,7 @@ use super::contrast;
 use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
 
 use crate::geometry::Geometry;
-use crate::scene::Item;
+use crate::scene::{Item, Punch};
 
 /// A group of joined layers and the interfaces below it.
 #[derive(Debug, Default)]
@@ -14,6 +14,8 @@ struct Groups {
     open: Laminate,
     /// The interfaces since the last layer of `open`, several around layers of thickness 0; `None` for a receding one.
     below: Vec<Option<Joint>>,
+    /// The gap of one of these.
+    gap: Option<Punch>,
     dropped: Vec<Placed>,
 }
 
@@ -34,12 +36,16 @@ impl Groups {
         let below = std::mem::take(&mut self.below);
         // the interfaces above the first layer are dropped
         if self.open.layers.is_empty() {
+            self.gap = None;
             return;
         }
         // a receding one takes precedence; compliances of others add up
         match below.into_iter().collect::<Option<Vec<Joint>>>() {
             Some(joints) => self.open.joints.extend(joints.into_iter().reduce(Joint::in_series)),
-            None => self.finished.push(std::mem::take(&mut self.open)),
+            None => {
+                self.open.gap = self.gap.take();
+                self.finished.push(std::mem::take(&mut self.open));
+            }
         }
     }
 
@@ -73,6 +79,12 @@ impl Stack {
                     groups.interface(index, Some(joint))?;
                 }
                 Item::Receding => groups.interface(index, None)?,
+                Item::RecedingGap(gap) => {
+                    groups.interface(index, None)?;
+                    if groups.gap.replace(gap.clone()).is_some() {
+                        return Err(StackError::at(index, StackProblem::TwoGaps));
+                    }
+                }
                 Item::Rigid => foundation = Some(Foundation::Rigid { number }),
                 Item::Support(support) => {
                     foundation = Some(Foundation::Support { number, support: Arc::clone(support) });

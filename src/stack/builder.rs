@@ -4,7 +4,7 @@ use recede_layers::{Layer, Support};
 use crate::geometry::Geometry;
 
 use super::{Stack, StackError};
-use crate::scene::{Item, Spring};
+use crate::scene::{Item, Punch, Spring};
 
 /// A stack being described from the top down; see [`Stack::builder`]. Nothing is checked before
 /// [`build`](StackBuilder::build).
@@ -57,6 +57,11 @@ impl StackBuilder {
     /// Adds an interface without friction or adhesion, free to open.
     pub fn receding(self) -> Self {
         self.item(Item::Receding)
+    }
+
+    /// Adds the same interface between layers that are apart by a gap of this shape about x = 0 before they are loaded.
+    pub fn receding_from(self, gap: Punch) -> Self {
+        self.item(Item::RecedingGap(gap))
     }
 
     /// Adds the rigid base at the bottom.

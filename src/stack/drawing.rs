@@ -55,7 +55,8 @@ impl Stack {
         for (i, (texts, group)) in groups.iter().zip(self.groups()).enumerate() {
             if i > 0 {
                 lines.push(format!("└{}┘", "─".repeat(width)));
-                lines.push(centred(&format!("receding {}", contacts[i]), width));
+                let gap = self.laminates[i - 1].gap().map(|gap| format!(", gap {}", gap.written_in(self.geometry)));
+                lines.push(centred(&format!("receding {}{}", contacts[i], gap.unwrap_or_default()), width));
             }
             lines.push(format!("┌{}┐", "─".repeat(width)));
             for (j, text) in texts.iter().enumerate() {

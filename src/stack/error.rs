@@ -66,6 +66,7 @@ impl StackError {
                 "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
                  face, or under the punch itself, would give way like no elastic body"
             }
+            StackProblem::TwoGaps => "write one gap, the sum of both",
             StackProblem::RoughFace { .. } => {
                 "give the material a finite slope at the face, e.g. by a table of values or by a thin layer of one material \
                  bonded to the face; inside a body, away from contacts, any variation is allowed"
@@ -82,6 +83,9 @@ pub enum StackProblem {
     /// No items at all.
     #[error("the stack is empty")]
     Empty,
+    /// Two gaps with nothing but layers of thickness zero between.
+    #[error("there are two gaps with no layer between them")]
+    TwoGaps,
     /// Two layers follow each other.
     #[error("no interface between {above} and {below}")]
     NoInterface {

@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use recede_layers::{Body, Key};
 
-use super::{Group, Joint, Stack};
+use super::{Gaps, Group, Joint, Stack};
 use crate::geometry::Geometry;
 
 /// All that a solution depends on in a stack. Stacks with equal keys are the same, however often they are built.
@@ -12,6 +12,7 @@ pub(crate) struct StackKey {
     geometry: Geometry,
     /// The bodies and the joints of each group.
     groups: Vec<(Vec<Numbered>, Vec<Joint>)>,
+    gaps: Gaps,
 }
 
 /// A layer or a support with its number in the scene, `None` if it is rigid. Without a key of its own it is the same as nothing but itself:
@@ -40,7 +41,7 @@ impl Stack {
     pub(crate) fn key(&self) -> StackKey {
         let bodies = |group: &Group| group.bodies().map(|(number, body)| Numbered(number, body)).collect();
         let groups = self.groups().map(|group| (bodies(&group), group.joints().to_vec())).collect();
-        StackKey { geometry: self.geometry, groups }
+        StackKey { geometry: self.geometry, groups, gaps: self.gaps() }
     }
 }
 

@@ -22,7 +22,7 @@ impl Stack {
 }
 
 /// Makes one layer of neighbours that are one body; returns the number of layers that were merged.
-fn merge(Laminate { layers, joints }: &mut Laminate) -> usize {
+fn merge(Laminate { layers, joints, .. }: &mut Laminate) -> usize {
     let before = layers.len();
     let mut given = std::mem::take(joints).into_iter();
     layers.dedup_by(|below, above| {

@@ -5,6 +5,7 @@ mod contrast;
 mod drawing;
 mod error;
 mod faces;
+mod gaps;
 mod joint;
 mod key;
 mod merged;
@@ -15,9 +16,11 @@ use recede_layers::{Body, Isotropic, Layer, Plane, Support};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
+pub(crate) use gaps::Gaps;
 pub use joint::Joint;
 
 use crate::geometry::Geometry;
+use crate::scene::Punch;
 use crate::solution::Interface;
 
 /// Largest number of layers in a stack, the half-plane and layers of thickness zero left out.
@@ -83,6 +86,7 @@ impl Placed {
 pub struct Laminate {
     layers: Vec<Placed>,
     joints: Vec<Joint>,
+    gap: Option<Punch>,
 }
 
 impl Laminate {
@@ -94,6 +98,11 @@ impl Laminate {
     /// The joints of each layer with the next, from the top down: one less than there are layers.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
+    }
+
+    /// The shape of the gap below it before it is loaded, if there is one.
+    pub fn gap(&self) -> Option<&Punch> {
+        self.gap.as_ref()
     }
 
     /// Thickness of the laminate, in length.
@@ -240,6 +249,13 @@ impl Stack {
         let bottoms = self.laminates.iter().filter_map(|above| above.layers.last());
         let receding = bottoms.zip(tops).map(|(above, (below, _))| Interface::Between { above: above.number, below });
         [Interface::Punch].into_iter().chain(receding).collect()
+    }
+
+    /// The gaps at contacts before anything is loaded.
+    pub(crate) fn gaps(&self) -> Gaps {
+        let gaps = self.laminates.iter().map(|above| above.gap.clone());
+        let all = self.contacts().into_iter().skip(1).zip(gaps);
+        Gaps(all.filter_map(|(contact, gap)| Some((contact, gap?))).collect())
     }
 
     /// Thickness of all layers without the half-plane, in length; 0 for a half-plane alone.

@@ -117,7 +117,7 @@ impl Choice {
 /// The contact of two layers, if all between them are missing.
 fn contact_between(choices: &[Choice], above: usize, below: usize) -> Option<Interface> {
     let between = || choices[above + 1..below].iter().filter_map(|choice| choice.there.as_ref());
-    let is_open = between().any(|item| matches!(item, Item::Receding));
+    let is_open = between().any(Item::is_receding);
     // springs hold nothing next to a layer that is missing, and nothing lies loose on a support: these are no stacks
     let is_stack = !between().any(|item| matches!(item, Item::Spring(_)))
         && !matches!(choices[below].there, Some(Item::Support(_)));

@@ -35,8 +35,13 @@ impl Equations<'_> {
         Sunk {
             by_columns: sums,
             by_angles: self.turned(punch, &windows),
-            height: self.problem.sides[0].mean_height(punch, &windows[0]),
+            height: (0..windows.len()).map(|contact| self.height(contact, punch, &windows[contact])).sum(),
         }
+    }
+
+    /// How much higher than at its lowest point the punch is on average over its window, or the gap at another contact before it was loaded.
+    fn height(&self, contact: usize, punch: usize, window: &MeanWindow) -> f64 {
+        self.problem.sides[contact].mean_height(if contact > 0 { 0 } else { punch }, window)
     }
 
     /// Where displacements are averaged under a punch and below: where all is even, on the innermost intervals.

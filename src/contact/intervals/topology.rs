@@ -136,7 +136,8 @@ fn examined(
 fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactError> {
     let too_small = intervals.iter().find_map(|interval| {
         let punch = problem.placed(interval.contact, interval.punch)?;
-        [interval.from(), interval.to()].into_iter().find_map(|end| punch.too_small(end))
+        let error = [interval.from(), interval.to()].into_iter().find_map(|end| punch.too_small(end))?;
+        Some(error.at(interval.contact))
     });
     let meet = |pair: &[ContactInterval]| {
         let is_short = pair[1].from() - pair[0].to() < TOGETHER * pair[0].half.min(pair[1].half);

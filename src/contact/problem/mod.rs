@@ -15,7 +15,7 @@ use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::numeric::means::MeanWindow;
-use crate::scene::{Force, Pressed, Punches, Top};
+use crate::scene::{Force, Pressed, Punch, Punches, Top};
 use crate::solution::{Controlled, Interface};
 
 use accuracy::MOST_OPERATIONS;
@@ -34,6 +34,10 @@ pub(crate) struct Problem<'a> {
     /// Where x = 0 is in the scene, in units of L: where the force acts, if anything is not even.
     pub(crate) origin: f64,
     pub(crate) top: &'a Top,
+    /// Gaps at contacts below the uppermost one before anything is loaded.
+    pub(crate) gaps: &'a [(Interface, Punch)],
+    /// Whether all contacts are even.
+    pub(crate) is_even: bool,
     /// P' = P/(μ₀L), or what is expected of it where something else is prescribed of the punch.
     pub(crate) force: f64,
     /// What is prescribed of punches, by their numbers from the left.
@@ -96,11 +100,11 @@ pub(crate) struct Group {
 
 /// What is special about a contact.
 pub(crate) enum Side<'a> {
-    /// A punch presses there.
+    /// A punch presses there, or the bodies are apart before they are loaded, and all is even.
     Profile(PunchProfile<'a>),
     /// Two bodies that fit together lie on each other: the contact recedes.
     Closed,
-    /// Punches press there, and their contacts are not even.
+    /// Punches press there, or the bodies are apart before they are loaded, and contacts are not even.
     Punches(Vec<Placed<'a>>),
     /// The pressure is given.
     Known(Given<'a>),
@@ -113,7 +117,7 @@ impl<'a> Problem<'a> {
     pub(crate) fn new(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        top: &'a Top,
+        (top, gaps): (&'a Top, &'a [(Interface, Punch)]),
         force: f64,
         tolerance: f64,
     ) -> Self {
@@ -121,16 +125,25 @@ impl<'a> Problem<'a> {
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
         let origin = top.middle() / length;
+        let is_even = top.is_even() && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.is_even());
+        let profile = |punch: &'a Punch| Side::Profile(PunchProfile::new(punch, length, force, twin));
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
-            Top::Punches(punches) => match top.even_punch() {
-                Some(punch) => Side::Profile(PunchProfile::new(punch, length, force, twin)),
+            Top::Punches(punches) => match top.even_punch().filter(|_| is_even) {
+                Some(punch) => profile(punch),
                 None => Side::Punches(Placed::all(punches, origin, length, force)),
             },
         };
-        let closed = (1..kernel.contacts()).map(|_| Side::Closed);
-        let sides = std::iter::once(side).chain(closed).collect();
-        let is_even = top.is_even();
+        // a gap is to the layer above what a punch is to the stack
+        let below = (1..kernel.contacts()).map(|contact| {
+            let own = gaps.iter().find(|(interface, _)| interfaces.get(contact) == Some(interface));
+            match own {
+                None => Side::Closed,
+                Some((_, gap)) if is_even => profile(gap),
+                Some((_, gap)) => Side::Punches(vec![Placed::gap(gap, origin, length, force)]),
+            }
+        });
+        let sides = std::iter::once(side).chain(below).collect();
         let all = top.punches().into_iter().flat_map(Punches::parts).enumerate();
         let of = |(number, (pressed, _)): (usize, (&Pressed, f64))| {
             let prescribed = Prescribed::of(pressed, origin, length, force)?;
@@ -140,7 +153,7 @@ impl<'a> Problem<'a> {
             })
         };
         let (prescribed, operations) = (all.filter_map(of).collect(), MOST_OPERATIONS);
-        Self { kernel, interfaces, sides, origin, top, force, prescribed, tolerance, operations }
+        Self { kernel, interfaces, sides, origin, top, gaps, is_even, force, prescribed, tolerance, operations }
     }
 
     /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
@@ -154,7 +167,7 @@ impl<'a> Problem<'a> {
     ) -> Self {
         let length = kernel.length();
         let sides = half_lengths.iter().map(|a| Side::Joined(a / length)).collect();
-        Self { sides, prescribed: Vec::new(), ..Self::new(kernel, interfaces, top, 1.0, tolerance) }
+        Self { sides, prescribed: Vec::new(), ..Self::new(kernel, interfaces, (top, &[]), 1.0, tolerance) }
     }
 
     /// The same punch and force on another kernel in the same units, with another tolerance.
@@ -164,7 +177,7 @@ impl<'a> Problem<'a> {
     {
         Problem {
             prescribed: self.prescribed.clone(),
-            ..Problem::new(kernel, interfaces, self.top, self.total_force(), tolerance)
+            ..Problem::new(kernel, interfaces, (self.top, self.gaps), self.total_force(), tolerance)
         }
     }
 
@@ -201,9 +214,9 @@ impl<'a> Problem<'a> {
     pub(crate) fn groups(&self, contact: usize) -> Vec<Group> {
         match &self.sides[contact] {
             Side::Known(given) => vec![Group { share: 1.0, moment: Some(given.moment), turns: false }],
-            Side::Profile(_) => vec![Group { share: 1.0, moment: None, turns: false }],
-            Side::Punches(all) => all.iter().map(Placed::group).collect(),
-            Side::Closed | Side::Joined(_) => {
+            Side::Profile(_) if contact == 0 => vec![Group { share: 1.0, moment: None, turns: false }],
+            Side::Punches(all) if contact == 0 => all.iter().map(Placed::group).collect(),
+            _ => {
                 let above = if contact > 0 { self.groups(0) } else { Vec::new() };
                 let moment = above.iter().filter_map(|group| group.moment).sum();
                 vec![Group { share: 1.0, moment: Some(moment), turns: true }]
@@ -213,7 +226,7 @@ impl<'a> Problem<'a> {
 
     /// Whether all contacts are even.
     pub(crate) fn is_even(&self) -> bool {
-        self.top.is_even()
+        self.is_even
     }
 
     /// The punch of this number on a contact where nothing is even.
@@ -257,7 +270,7 @@ impl<'a> Problem<'a> {
 
     /// The error to report if a contact has grown to the edge of its punch.
     pub(crate) fn too_small(&self, half_lengths: &[f64]) -> Option<ContactError> {
-        self.profiles().find_map(|(i, profile)| profile.too_small(half_lengths[i]))
+        self.profiles().find_map(|(i, profile)| Some(profile.too_small(half_lengths[i])?.at(i)))
     }
 }
 

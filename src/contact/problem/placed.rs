@@ -41,6 +41,13 @@ impl<'a> Placed<'a> {
         punches.parts().map(of).collect()
     }
 
+    /// A gap between layers about x = 0 in the scene.
+    pub(crate) fn gap(shape: &'a Punch, origin: f64, length: f64, force: f64) -> Self {
+        let (profile, ends) = (PunchProfile::new(shape, length, force, Twin::Plane), shape.shape().ends());
+        let ends = ends.map(|end| end / length);
+        Self { punch: shape, profile, at: -origin, share: 1.0, tilt: Tilt::None, length, force, ends }
+    }
+
     /// What the intervals under it carry.
     pub(crate) fn group(&self) -> Group {
         let moment = self.line_of_action().map(|line| self.share * line);

@@ -30,7 +30,7 @@ impl<'a> Compliances<'a> {
     /// Number of the punch that may press on contact i at x, from the left; 0 between layers.
     fn punch(&self, i: usize, x: f64) -> usize {
         match self.problem.sides[self.contacts.start + i] {
-            Side::Punches(_) => self.between.partition_point(|between| *between < x),
+            Side::Punches(_) if self.contacts.start + i == 0 => self.between.partition_point(|between| *between < x),
             _ => 0,
         }
     }

@@ -9,6 +9,7 @@ use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::scene::{Punch, Top};
+use crate::solution::Interface;
 use std::f64::consts::{LN_2, PI};
 
 /// Half-length of the contact of a strip of thickness 1 that a line load presses on a rigid base.
@@ -38,20 +39,25 @@ pub(crate) fn force(kernel: &Kernel, profile: &PunchProfile, half_length: f64) -
 }
 
 /// The same on a stack with another compliance at a wavenumber.
-fn force_on(kernel: &Kernel, profile: &PunchProfile, half_length: f64, compliance: fn(&Kernel, f64) -> f64) -> f64 {
+fn force_on(
+    kernel: &Kernel,
+    profile: &PunchProfile,
+    half_length: f64,
+    compliance: impl Fn(&Kernel, f64) -> f64,
+) -> f64 {
     let twin = Twin::of(kernel.geometry());
     twin.force_under(profile.first_row(half_length), half_length, compliance(kernel, TYPICAL / half_length))
 }
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: the length of a given pressure, or what
 /// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
-pub(crate) fn length(kernel: &Kernel, top: &Top, force: f64) -> Option<f64> {
+pub(crate) fn length(kernel: &Kernel, (top, gaps): (&Top, &[(Interface, Punch)]), force: f64) -> Option<f64> {
     if !kernel.has_no_length() {
         return None;
     }
     let length = match top {
         Top::Loads(loads) => loads.reach(),
-        Top::Punches(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], top, force, 0.0))[0],
+        Top::Punches(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], (top, gaps), force, 0.0))[0],
     };
     (length.is_normal() && length > 0.0).then_some(length)
 }
@@ -107,9 +113,11 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
     for (i, side) in problem.sides.iter().enumerate() {
         half_lengths.push(match side {
             Side::Known(given) => given.half_length,
-            Side::Punches(all) => all.iter().map(|punch| longest(under(problem.kernel, punch))).fold(0.0, f64::max),
-            Side::Closed => half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)),
-            Side::Profile(_) | Side::Joined(_) => half_length(problem, i, compliance).unwrap_or_default(),
+            Side::Punches(all) if i == 0 => {
+                all.iter().map(|punch| longest(under(problem.kernel, punch))).fold(0.0, f64::max)
+            }
+            _ => half_length(problem, i, compliance)
+                .unwrap_or_else(|| half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)).min(in_gap(problem, i))),
         });
     }
     half_lengths
@@ -119,10 +127,21 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
 fn half_length(problem: &Problem, contact: usize, compliance: fn(&Kernel, f64) -> f64) -> Option<f64> {
     match &problem.sides[contact] {
         Side::Joined(half_length) => Some(*half_length),
-        Side::Profile(profile) => problem
+        Side::Profile(profile) if contact == 0 => problem
             .prescribed_end()
             .or_else(|| Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance)))),
         _ => None,
+    }
+}
+
+/// The half-length of a contact that closes a gap, by Hertz on the bodies at its faces; infinite where there was no gap.
+fn in_gap(problem: &Problem, contact: usize) -> f64 {
+    let at_faces = |kernel: &Kernel, zeta: f64| kernel.compliances(zeta)[contact];
+    let of = |profile: &PunchProfile| profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, at_faces));
+    match &problem.sides[contact] {
+        Side::Profile(profile) => of(profile),
+        Side::Punches(all) => all.iter().map(|gap| of(&gap.alone())).fold(f64::INFINITY, f64::min),
+        _ => f64::INFINITY,
     }
 }
 
@@ -133,16 +152,16 @@ pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
     let mut all = Vec::new();
     for contact in problem.unknown() {
         let mut own: Vec<[f64; 2]> = Vec::new();
-        if let Side::Punches(punches) = &problem.sides[contact] {
+        if let (Side::Punches(punches), 0) = (&problem.sides[contact], contact) {
             own = punches.iter().map(|punch| under(problem.kernel, punch)).collect();
             all.extend(own.iter().enumerate().map(|(punch, ends)| Expected { contact, punch, ends: *ends }));
         } else if let Some(half) = half_length(problem, contact, Kernel::closed) {
             own = vec![[-half, half]];
             all.push(Expected { contact, punch: 0, ends: own[0] });
         } else {
-            let carried = carried(problem.kernel, contact - 1);
+            let (carried, in_gap) = (carried(problem.kernel, contact - 1), in_gap(problem, contact));
             for [left, right] in &above {
-                let (middle, half) = (0.5 * (left + right), (0.5 * (right - left)).hypot(carried));
+                let (middle, half) = (0.5 * (left + right), (0.5 * (right - left)).hypot(carried).min(in_gap));
                 match own.last_mut().filter(|last| middle - half <= last[1]) {
                     Some(last) => last[1] = last[1].max(middle + half),
                     None => own.push([middle - half, middle + half]),
@@ -189,8 +208,8 @@ pub(crate) fn carried(kernel: &Kernel, laminate: usize) -> f64 {
 
 /// By Hertz, on the compliance that the whole stack has for waves as long as the contact: where [`force_on`] is 1, or next to the edge of a
 /// punch under which it is 1 nowhere.
-fn under_punch(kernel: &Kernel, profile: &PunchProfile, compliance: fn(&Kernel, f64) -> f64) -> f64 {
-    where_one(profile, |half_length| force_on(kernel, profile, half_length, compliance))
+fn under_punch(kernel: &Kernel, profile: &PunchProfile, compliance: impl Fn(&Kernel, f64) -> f64) -> f64 {
+    where_one(profile, |half_length| force_on(kernel, profile, half_length, &compliance))
 }
 
 /// The half-length, no longer than the punch, at which something that grows with it is 1.

@@ -84,6 +84,7 @@ fn too_small_for_certain(problem: &Problem) -> Result<(), ContactError> {
 
 /// An answer whose contacts do not reach beyond their punches.
 fn on_punches(problem: &Problem, answer: Answer) -> Result<Answer, ContactError> {
-    let reaches: Vec<f64> = answer.contacts.iter().map(Contact::reach).collect();
+    let mut reaches = vec![0.0; problem.contacts()];
+    problem.unknown().zip(&answer.contacts).for_each(|(contact, found)| reaches[contact] = found.reach());
     problem.too_small(&reaches).map_or(Ok(answer), Err)
 }
