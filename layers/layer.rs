@@ -124,6 +124,11 @@ pub trait Layer: Debug + Send + Sync + Any {
         None
     }
 
+    /// The strain that the layer would have in all directions if nothing held it, dimensionless; provided: 0. See [`Strained`](crate::Strained).
+    fn eigenstrain(&self) -> f64 {
+        0.0
+    }
+
     /// Whether the material is the same in all directions along the layer, as it has to be about the axis of an axisymmetric problem. The
     /// default holds for isotropic materials: the coefficients of others do not tell.
     fn is_same_all_around(&self) -> bool {

@@ -57,6 +57,7 @@ mod quantity;
 mod registry;
 mod stable;
 mod state;
+mod strained;
 mod support;
 #[cfg(feature = "read")]
 pub mod tree;
@@ -81,6 +82,7 @@ pub use quantity::{Carrying, Exponent, Finite, HalfAngle, OutOfRange, Poisson, P
 #[cfg(feature = "read")]
 pub use registry::{Body, Entry, ReadBody, Registry};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
+pub use strained::Strained;
 pub use support::Support;
 pub use winkler::Winkler;
 

@@ -20,7 +20,7 @@ use crate::field::{ContactPressure, FieldError};
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::numeric::means::MeanWindow;
-use crate::scene::{Pressed, Punch, Punches, Top};
+use crate::scene::{Gap, Pressed, Punch, Punches, Shape, Top};
 use crate::solution::{Contact, Interface, Solution};
 use crate::stack::Stack;
 
@@ -205,7 +205,7 @@ fn relative_error(solution: &Solution, ends: bool) -> f64 {
 /// How far a punch, or a flat one, has sunk into the top face, twice: with two means over the middle of each contact. They differ by the errors of the
 /// pressures.
 fn sunk(
-    pressed: Option<(&Pressed, &[(Interface, Punch)])>,
+    pressed: Option<(&Pressed, &[(Interface, Gap)])>,
     number: usize,
     kernel: &Kernel,
     solution: &Solution,
@@ -233,14 +233,14 @@ fn sunk(
     let end = |contact: &Contact| largest(contact.ends().map(|end| (end - from).abs() / length));
     let ends: Vec<f64> = all().map(end).collect();
     // how much higher than at its lowest point a punch is, or a gap, before it was turned
-    let mean = |window: &MeanWindow, punch: &Punch, at: f64, tilt: f64| {
-        let (mut starts, lowest) = (punch.shape().starts(), punch.shape().lowest());
+    let mean = |window: &MeanWindow, shape: &Shape, at: f64, tilt: f64| {
+        let (mut starts, lowest) = (shape.starts(), shape.lowest());
         // powers are not smooth at the tip
         starts.push(0.0);
         let starts: Vec<f64> = starts.iter().map(|start| (start + at - from) / length).collect();
         let height = |x: f64| {
             let from_tip = x * length + from - at;
-            punch.profile(from_tip) - lowest + tilt * from_tip
+            shape.height(from_tip) - lowest + tilt * from_tip
         };
         window.of_profile(is_round, height, &starts)
     };
@@ -248,10 +248,10 @@ fn sunk(
     let mut add = |means: [f64; 2]| sunk.iter_mut().zip(means).for_each(|(sunk, mean)| *sunk += mean);
     if let Some((pressed, gaps)) = pressed {
         let tilt = solution.punches().get(number).map_or(0.0, |carried| carried.tilt);
-        add(mean(&windows[0], pressed.shape(), pressed.at(), tilt));
+        add(mean(&windows[0], &pressed.shape().shape(), pressed.at(), tilt));
         for (window, contact) in windows.iter().zip(all()) {
             let gap = gaps.iter().find(|(interface, _)| *interface == contact.interface);
-            gap.iter().for_each(|(_, gap)| add(mean(window, gap, 0.0, 0.0)));
+            gap.iter().for_each(|(_, gap)| add(mean(window, &gap.shape(), 0.0, 0.0)));
         }
     }
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };

@@ -19,6 +19,7 @@ mod convergence;
 mod corners;
 mod determinism;
 mod docs;
+mod eigenstrains;
 mod estimates;
 mod exact;
 mod examples;

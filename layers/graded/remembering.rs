@@ -87,6 +87,10 @@ impl Layer for Remembering {
         self.layer.continues(Self::without_memory(below)).map(Self::of)
     }
 
+    fn eigenstrain(&self) -> f64 {
+        self.layer.eigenstrain()
+    }
+
     fn is_same_all_around(&self) -> bool {
         self.layer.is_same_all_around()
     }

@@ -17,7 +17,7 @@ mod thin;
 use std::borrow::Cow;
 
 use crate::kernel::Kernel;
-use crate::scene::{Force, Punch, Top};
+use crate::scene::{Force, Gap, Top};
 use crate::solution::{Controlled, Interface, Ledger, OwnerKey, Solution};
 
 pub use error::{ContactError, NoSolution};
@@ -39,7 +39,7 @@ pub(crate) struct Asked<'a> {
     pub(crate) interfaces: &'a [Interface],
     pub(crate) top: &'a Top,
     /// Gaps between layers before anything is loaded.
-    pub(crate) gaps: &'a [(Interface, Punch)],
+    pub(crate) gaps: &'a [(Interface, Gap)],
     /// Relative error wanted.
     pub(crate) tolerance: f64,
 }

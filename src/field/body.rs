@@ -6,7 +6,8 @@ use recede_layers::{Layer, Material, State, Wave};
 
 use super::pressure::ContactPressure;
 use super::surface::{Components, Remainder, Surface};
-use crate::stack::{Placed, Stack};
+use crate::geometry::Geometry;
+use crate::stack::{Placed, Stack, residual_stress};
 use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
 
 /// The remainder of a half-plane's fields counts as zero below this.
@@ -35,9 +36,18 @@ pub(super) struct PlacedLayer {
     /// The body it belongs to, and its place in it.
     pub(super) body: usize,
     pub(super) place: usize,
+    /// The strain at its top face that eigenstrains leave, and what it grows by with the depth, if there are any.
+    residual: Option<[f64; 2]>,
 }
 
 impl PlacedLayer {
+    /// The residual stresses along the layer, and out of the plane or about the axis.
+    pub(super) fn residual(&self, depth: f64, material: &Material, geometry: Geometry) -> [f64; 2] {
+        let of =
+            |[strain, growth]: [f64; 2]| residual_stress(&*self.layer, material, geometry, strain + growth * depth);
+        self.residual.map_or([0.0; 2], of)
+    }
+
     /// Depth of its bottom face, infinite for a half-plane.
     pub(super) fn bottom(&self) -> f64 {
         self.thickness.map_or(f64::INFINITY, |thickness| self.top + thickness)
@@ -101,12 +111,13 @@ pub(super) struct LoadedBody {
 /// The layers from the top down, without layers of thickness 0.
 pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
     let mut layers: Vec<PlacedLayer> = Vec::new();
-    let mut top = 0.0;
+    let (mut top, residual) = (0.0, stack.residual());
     for (body, group) in stack.groups().enumerate() {
         for (place, Placed { number, layer }) in group.layers().enumerate() {
             let (number, layer, thickness) = (*number, layer.clone(), layer.thickness());
             let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
-            layers.push(PlacedLayer { number, layer, top, thickness, slowest, body, place });
+            let residual = residual.as_ref().map(|residual| residual.strains[layers.len()]);
+            layers.push(PlacedLayer { number, layer, top, thickness, slowest, body, place, residual });
             top += thickness.unwrap_or(0.0);
         }
     }

@@ -233,6 +233,7 @@ impl Field {
             }
             Geometry::PlaneStress => [sigma_xx, 0.0],
         };
+        let residual = placed.residual(row.depth, &material, self.geometry);
         FieldPoint {
             x: self.middle + x,
             depth: placed.top + row.depth,
@@ -240,10 +241,10 @@ impl Field {
             u,
             v,
             slope,
-            sigma_xx,
+            sigma_xx: sigma_xx + residual[0],
             sigma_yy,
             sigma_xy,
-            sigma_zz,
+            sigma_zz: sigma_zz + residual[1],
             strains,
         }
     }

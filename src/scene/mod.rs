@@ -2,6 +2,7 @@
 mod elastic_cylinder;
 mod explain;
 mod force;
+mod gap;
 mod heights;
 mod hints;
 mod item;
@@ -46,6 +47,7 @@ pub use value::{ListError, ValueError};
 pub use vocabulary::{Vocabulary, scene_schema};
 pub use wedge::Wedge;
 
+pub(crate) use gap::Gap;
 pub(crate) use item::quoted_list;
 pub(crate) use paths::{Change, Owner, Slot};
 #[cfg(feature = "files")]

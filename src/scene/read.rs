@@ -9,7 +9,7 @@ use std::{fs::File, path::Path};
 
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Kind, Node, token};
-use recede_layers::{Positive, Registry, described};
+use recede_layers::{Finite, Positive, Registry, Strained, described};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
@@ -22,6 +22,9 @@ use super::round::RoundPunch;
 use super::units::without_units;
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
+
+/// The field that any layer may have besides its own.
+pub(super) const EIGENSTRAIN: &str = "eigenstrain";
 
 /// The name of a scene in messages.
 pub(super) const THE_SCENE: &str = "the scene";
@@ -277,7 +280,20 @@ pub(super) fn read_item(item: &Node, number: usize, geometry: Geometry, origin: 
         return Err(origin.error_at(item, message).hinted(instead_of(name, &names())));
     };
     let owner = format!("layer {number} ({name})");
-    (entry.read)(item).map(Item::of).map_err(|error| origin.explained(item, &owner, entry.describe().as_ref(), error))
+    // any layer may have an eigenstrain, of which its own type knows nothing
+    let (mut own, mut eigenstrain) = (item.clone(), None);
+    if let Kind::Fields(fields) = &mut own.kind {
+        let found = fields.iter().position(|field| &*field.name == EIGENSTRAIN);
+        eigenstrain = found.map(|found| fields.remove(found).value);
+    }
+    let read = (entry.read)(&own).map(Item::of);
+    let read = read.map_err(|error| origin.explained(item, &owner, entry.describe().as_ref(), error))?;
+    let Some(node) = eigenstrain else { return Ok(read) };
+    let strain: Finite = origin.read(&node, &format!("the eigenstrain of {owner}"))?;
+    match read {
+        Item::Layer(layer) if layer.thickness().is_some() => Ok(Item::layer(Strained::of(layer, strain.get()))),
+        _ => Err(origin.error_at(&node, format!("{owner} is a base, and has no eigenstrain"))),
+    }
 }
 
 /// The fields of a receding interface.

@@ -91,7 +91,44 @@ pub(crate) fn even(right: &[Piece], end: f64) -> Vec<Piece> {
 impl Shape<'_> {
     /// c (|x|/l)^n.
     pub(crate) fn power(length: f64, exponent: f64, coefficient: f64) -> Self {
-        Self::Powers { length, terms: vec![(exponent, coefficient)], tilt: 0.0, end: None }
+        Self::powers(length, vec![(exponent, coefficient)])
+    }
+
+    /// Σ c (|x|/l)^n.
+    pub(crate) fn powers(length: f64, terms: Vec<(f64, f64)>) -> Self {
+        Self::Powers { length, terms, tilt: 0.0, end: None }
+    }
+
+    /// With a slope that grows by a curvature times x more; circles and sharp corners stay what they are.
+    pub(crate) fn bent(mut self, curvature: f64) -> Self {
+        match &mut self {
+            Self::Powers { length, terms, .. } => {
+                let own = 0.5 * curvature * *length * *length;
+                match terms.iter_mut().find(|(exponent, _)| *exponent == 2.0) {
+                    Some((_, coefficient)) => *coefficient += own,
+                    None => terms.push((2.0, own)),
+                }
+                terms.retain(|(_, coefficient)| *coefficient != 0.0);
+                terms.sort_by(|a, b| a.0.total_cmp(&b.0));
+            }
+            Self::Pieces { pieces, .. } => {
+                for Piece { about, coefficients: [c0, c1, c2, _], .. } in pieces.to_mut() {
+                    *c0 += 0.5 * curvature * *about * *about;
+                    *c1 += curvature * *about;
+                    *c2 += 0.5 * curvature;
+                }
+            }
+            Self::Circle(_) | Self::Flat(_) => {}
+        }
+        self
+    }
+
+    /// Whether it falls without end.
+    pub(crate) fn falls(&self) -> bool {
+        match self {
+            Self::Powers { terms, end: None, .. } => terms.last().is_some_and(|(_, coefficient)| *coefficient < 0.0),
+            _ => false,
+        }
     }
 
     /// Height above the tip, in length; infinite beyond the edge of a circle or a flat punch.
@@ -176,16 +213,16 @@ impl Shape<'_> {
 
     /// The last place x > 0 at which the profile falls, in length; 0 if it falls nowhere.
     pub(crate) fn last_fall(&self) -> f64 {
-        self.falls().last().map_or(0.0, |last| last.max(0.0))
+        self.ends_of_falls().last().map_or(0.0, |last| last.max(0.0))
     }
 
     /// The smallest height: at x = 0, or where a fall ends.
     pub(crate) fn lowest(&self) -> f64 {
-        self.falls().into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
+        self.ends_of_falls().into_iter().map(|x| self.height(x)).fold(self.height(0.0), f64::min)
     }
 
     /// Places, ascending, among which are the last ones of all falls from left to right; of a power only places x > 0, and also where falls begin.
-    fn falls(&self) -> Vec<f64> {
+    fn ends_of_falls(&self) -> Vec<f64> {
         match self {
             Self::Powers { length, terms, end, .. } => {
                 let turns = turns(terms).into_iter().map(|turn| turn * length);

@@ -1,10 +1,10 @@
 //! All that may be written in a scene, from the definitions that read it.
-use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value, schema_of, without_ranges};
+use recede_layers::{Finite, Registry};
 use serde_json::{Value as Json, json};
 
 use super::item::RECEDING;
-use super::read::{Draft, Receding};
+use super::read::{Draft, EIGENSTRAIN, Receding};
 use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch, Spring};
@@ -96,7 +96,13 @@ pub fn scene_schema(registry: &Registry) -> Json {
     });
     let gap = item(RECEDING, "", gap);
     let layers = registry.iter().map(|entry| {
-        let fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
+        let mut fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
+        if fields["properties"].get(THICKNESS).is_some() {
+            fields["properties"][EIGENSTRAIN] = schema_of::<Finite>().to_value();
+            fields["properties"][EIGENSTRAIN]["description"] =
+                "The strain that the layer would have in all directions if nothing held it; 0 if it is not given."
+                    .into();
+        }
         item(entry.name, entry.summary, fields)
     });
     let mut schema = schema_of::<Draft>().to_value();

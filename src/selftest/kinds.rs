@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use recede_layers::{
     EngineeringConstants, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Orthotropic, Plane, PowerHalfPlane, Profile,
-    Winkler,
+    Strained, Winkler,
 };
 
 use super::scenario::{Ply, Scenario};
@@ -153,8 +153,20 @@ impl Kinds {
                 (Item::Bonded, 0) => Item::Sliding,
                 (Item::Bonded, 1) => Item::Spring(Spring::new(stiffness(normal), None)?),
                 (Item::Bonded, 2) => Item::Spring(Spring::new(stiffness(normal), Some(stiffness(tangential)))?),
+                // apart from the start
+                (Item::Receding, 0) => Item::RecedingGap(Punch::parabola(scenario.radius * 10f64.powf(*normal))?),
                 _ => continue,
             };
+        }
+        // where nothing is loose, layers may be strained in any direction
+        if !items.iter().any(Item::is_receding) {
+            for (item, (kind, power)) in items.iter_mut().step_by(2).zip(&self.layers) {
+                if let (Item::Layer(layer), 2) = (&*item, kind)
+                    && layer.thickness().is_some()
+                {
+                    *item = Item::layer(Strained::of(layer.clone(), 1e-3 * power));
+                }
+            }
         }
         let loose = matches!(items.get(items.len().saturating_sub(2)), Some(item) if item.is_receding());
         if let (Some((modulus, poisson)), Some(last)) = (scenario.base, items.last_mut()) {

@@ -131,6 +131,13 @@ fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<
     if geometry.is_axisymmetric() {
         check_all_around(&stack)?;
     }
+    for (interface, gap) in stack.gaps().0 {
+        let gap = (gap.is_unknown() || gap.shape().falls()).then_some(gap);
+        if let Some(gap) = gap {
+            let is_unknown = gap.is_unknown();
+            return Err(StackError::whole(StackProblem::Bent { interface, curvature: gap.curvature, is_unknown }));
+        }
+    }
     contrast::check(&stack, None)?;
     Ok(stack)
 }

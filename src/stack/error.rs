@@ -1,5 +1,6 @@
 //! Errors in the structure of a stack.
 use super::{MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING};
+use crate::solution::Interface;
 
 /// The items do not make a stack.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -67,6 +68,10 @@ impl StackError {
                  face, or under the punch itself, would give way like no elastic body"
             }
             StackProblem::TwoGaps => "write one gap, the sum of both",
+            StackProblem::Bent { is_unknown: true, .. } => "write `Parabola`, `RoundedFlat` or `Table` in its place",
+            StackProblem::Bent { .. } => {
+                "nothing presses the layers together far away: bond them, or give them other eigenstrains"
+            }
             StackProblem::RoughFace { .. } => {
                 "give the material a finite slope at the face, e.g. by a table of values or by a thin layer of one material \
                  bonded to the face; inside a body, away from contacts, any variation is allowed"
@@ -83,6 +88,19 @@ pub enum StackProblem {
     /// No items at all.
     #[error("the stack is empty")]
     Empty,
+    /// Layers that eigenstrains bend so that the gap falls away without end, or that has a shape which cannot be bent.
+    #[error(
+        "eigenstrains bend the layers at the contact {interface} by {curvature:e} against each other, {}",
+        if *is_unknown { "and the gap there is a circle or has sharp corners" } else { "so that their edges fall away without end" }
+    )]
+    Bent {
+        /// The contact.
+        interface: Interface,
+        /// By how much the slope of the gap grows with x, in 1/length.
+        curvature: f64,
+        /// Whether the shape of the gap cannot be bent.
+        is_unknown: bool,
+    },
     /// Two gaps with nothing but layers of thickness zero between.
     #[error("there are two gaps with no layer between them")]
     TwoGaps,

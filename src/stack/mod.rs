@@ -9,6 +9,7 @@ mod gaps;
 mod joint;
 mod key;
 mod merged;
+mod residual;
 
 use std::sync::Arc;
 
@@ -18,9 +19,10 @@ pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
 pub(crate) use gaps::Gaps;
 pub use joint::Joint;
+pub(crate) use residual::residual_stress;
 
 use crate::geometry::Geometry;
-use crate::scene::Punch;
+use crate::scene::{Gap, Punch};
 use crate::solution::Interface;
 
 /// Largest number of layers in a stack, the half-plane and layers of thickness zero left out.
@@ -253,9 +255,12 @@ impl Stack {
 
     /// The gaps at contacts before anything is loaded.
     pub(crate) fn gaps(&self) -> Gaps {
-        let gaps = self.laminates.iter().map(|above| above.gap.clone());
+        let curvatures = self.residual().map_or_else(Vec::new, |residual| residual.curvatures);
+        let bent = |i: usize| curvatures.get(i).copied().unwrap_or(0.0);
+        let gaps = self.laminates.iter().enumerate();
+        let gaps = gaps.map(|(i, above)| Gap { punch: above.gap.clone(), curvature: bent(i) - bent(i + 1) });
         let all = self.contacts().into_iter().skip(1).zip(gaps);
-        Gaps(all.filter_map(|(contact, gap)| Some((contact, gap?))).collect())
+        Gaps(all.filter(|(_, gap)| gap.punch.is_some() || gap.curvature != 0.0).collect())
     }
 
     /// Thickness of all layers without the half-plane, in length; 0 for a half-plane alone.

@@ -15,7 +15,7 @@ use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::numeric::means::MeanWindow;
-use crate::scene::{Force, Pressed, Punch, Punches, Top};
+use crate::scene::{Force, Gap, Pressed, Punches, Top};
 use crate::solution::{Controlled, Interface};
 
 use accuracy::MOST_OPERATIONS;
@@ -35,7 +35,7 @@ pub(crate) struct Problem<'a> {
     pub(crate) origin: f64,
     pub(crate) top: &'a Top,
     /// Gaps at contacts below the uppermost one before anything is loaded.
-    pub(crate) gaps: &'a [(Interface, Punch)],
+    pub(crate) gaps: &'a [(Interface, Gap)],
     /// Whether all contacts are even.
     pub(crate) is_even: bool,
     /// P' = P/(μ₀L), or what is expected of it where something else is prescribed of the punch.
@@ -117,7 +117,7 @@ impl<'a> Problem<'a> {
     pub(crate) fn new(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        (top, gaps): (&'a Top, &'a [(Interface, Punch)]),
+        (top, gaps): (&'a Top, &'a [(Interface, Gap)]),
         force: f64,
         tolerance: f64,
     ) -> Self {
@@ -125,12 +125,11 @@ impl<'a> Problem<'a> {
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
         let origin = top.middle() / length;
-        let is_even = top.is_even() && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.is_even());
-        let profile = |punch: &'a Punch| Side::Profile(PunchProfile::new(punch, length, force, twin));
+        let is_even = top.is_even() && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
             Top::Punches(punches) => match top.even_punch().filter(|_| is_even) {
-                Some(punch) => profile(punch),
+                Some(punch) => Side::Profile(PunchProfile::new(punch, length, force, twin)),
                 None => Side::Punches(Placed::all(punches, origin, length, force)),
             },
         };
@@ -139,7 +138,7 @@ impl<'a> Problem<'a> {
             let own = gaps.iter().find(|(interface, _)| interfaces.get(contact) == Some(interface));
             match own {
                 None => Side::Closed,
-                Some((_, gap)) if is_even => profile(gap),
+                Some((_, gap)) if is_even => Side::Profile(PunchProfile::gap(gap, length, force, twin)),
                 Some((_, gap)) => Side::Punches(vec![Placed::gap(gap, origin, length, force)]),
             }
         });

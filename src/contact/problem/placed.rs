@@ -3,9 +3,8 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::Group;
 use crate::contact::problem::profile::{NEARLY, PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
-use crate::geometry::Geometry;
 use crate::numeric::means::MeanWindow;
-use crate::scene::{Pressed, Punch, Punches, Tilt};
+use crate::scene::{Gap, Pressed, Punches, Tilt};
 
 /// The lowest place of a turned punch is looked for up to this distance from its tip, in units of L, and found by this number of halvings.
 const FARTHEST: f64 = 1e6;
@@ -13,7 +12,6 @@ const HALVINGS: usize = 60;
 
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
 pub(crate) struct Placed<'a> {
-    punch: &'a Punch,
     profile: PunchProfile<'a>,
     at: f64,
     /// Its part of P'.
@@ -21,31 +19,26 @@ pub(crate) struct Placed<'a> {
     tilt: Tilt,
     length: f64,
     force: f64,
-    /// Where the profile ends, from the tip.
-    ends: [f64; 2],
 }
 
 impl<'a> Placed<'a> {
     /// All punches, with x = 0 at this place in units of L, pressed with P' together.
     pub(crate) fn all(punches: &'a Punches, origin: f64, length: f64, force: f64) -> Vec<Self> {
         let of = |(pressed, share): (&'a Pressed, f64)| Self {
-            punch: pressed.shape(),
             profile: PunchProfile::new(pressed.shape(), length, force, Twin::Plane),
             at: pressed.at() / length - origin,
             share,
             tilt: pressed.tilt(),
             length,
             force,
-            ends: pressed.shape().shape().ends().map(|end| end / length),
         };
         punches.parts().map(of).collect()
     }
 
     /// A gap between layers about x = 0 in the scene.
-    pub(crate) fn gap(shape: &'a Punch, origin: f64, length: f64, force: f64) -> Self {
-        let (profile, ends) = (PunchProfile::new(shape, length, force, Twin::Plane), shape.shape().ends());
-        let ends = ends.map(|end| end / length);
-        Self { punch: shape, profile, at: -origin, share: 1.0, tilt: Tilt::None, length, force, ends }
+    pub(crate) fn gap(gap: &'a Gap, origin: f64, length: f64, force: f64) -> Self {
+        let profile = PunchProfile::gap(gap, length, force, Twin::Plane);
+        Self { profile, at: -origin, share: 1.0, tilt: Tilt::None, length, force }
     }
 
     /// What the intervals under it carry.
@@ -70,7 +63,7 @@ impl<'a> Placed<'a> {
     /// Height above the tip at x, per unit of P'.
     pub(crate) fn height(&self, x: f64) -> f64 {
         // rounding does not lead beyond its edge
-        let [left, right] = self.ends;
+        let [left, right] = self.profile.ends();
         let from_tip = (x - self.at).clamp(left, right);
         self.profile.height(from_tip) + self.angle().unwrap_or(0.0) * from_tip
     }
@@ -91,7 +84,7 @@ impl<'a> Placed<'a> {
 
     /// Where the punch ends; infinite where it does not.
     pub(crate) fn ends(&self) -> [f64; 2] {
-        self.ends.map(|end| self.at + end)
+        self.profile.ends().map(|end| self.at + end)
     }
 
     /// Where the corner on a side is, 1 for the right one and −1 for the left one, if the punch is flat.
@@ -117,7 +110,7 @@ impl<'a> Placed<'a> {
         }
         let side = -angle.signum();
         let rises = |x: f64| side * (self.profile.slope(side * x) + angle) >= 0.0;
-        let edge = self.ends[usize::from(side > 0.0)].abs();
+        let edge = self.profile.ends()[usize::from(side > 0.0)].abs();
         // the last place before it rises, found to a small part of its distance from the tip
         let (mut low, mut high) = (0.0, edge.min(1.0));
         while high < edge && high < FARTHEST && !rises(high) {
@@ -137,7 +130,7 @@ impl<'a> Placed<'a> {
 
     /// The profile by itself, pressed with its own part of the force.
     pub(crate) fn alone(&self) -> PunchProfile<'a> {
-        PunchProfile::new(self.punch, self.length, self.share * self.force, Twin::Plane)
+        self.profile.with_force(self.share * self.force)
     }
 
     /// The error that the punch is too small for a contact that ends at x.
@@ -145,9 +138,9 @@ impl<'a> Placed<'a> {
         if self.profile.flat().is_some() {
             return None;
         }
-        let [left, right] = self.ends;
+        let [left, right] = self.profile.ends();
         let (from_tip, edge) = if x < self.at { (self.at - x, -left) } else { (x - self.at, right) };
-        let punch = self.punch.label(Geometry::PlaneStrain);
+        let punch = self.profile.label();
         (from_tip > NEARLY * edge).then(|| NoSolution::PunchTooSmall { punch, edge: edge * self.length }.into())
     }
 

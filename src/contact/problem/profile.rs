@@ -3,7 +3,7 @@
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
-use crate::scene::{Punch, Shape};
+use crate::scene::{Gap, Punch, Shape};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
@@ -33,8 +33,10 @@ impl Span {
 }
 
 /// The profile of a punch pressed with a force, in the units of the kernel.
+#[derive(Clone)]
 pub(crate) struct PunchProfile<'a> {
-    punch: &'a Punch,
+    /// None of a gap that layers make by bending alone.
+    punch: Option<&'a Punch>,
     pub(super) shape: Shape<'a>,
     /// Length L in the units of the scene.
     pub(super) length: f64,
@@ -46,7 +48,27 @@ pub(crate) struct PunchProfile<'a> {
 impl<'a> PunchProfile<'a> {
     /// A punch in units of L, pressed with P'.
     pub(crate) fn new(punch: &'a Punch, length: f64, force: f64, twin: Twin) -> Self {
-        Self { punch, shape: punch.shape(), length, force, twin }
+        Self { punch: Some(punch), shape: punch.shape(), length, force, twin }
+    }
+
+    /// A gap between layers in units of L, per unit of P'.
+    pub(crate) fn gap(gap: &'a Gap, length: f64, force: f64, twin: Twin) -> Self {
+        Self { punch: gap.punch.as_ref(), shape: gap.shape(), length, force, twin }
+    }
+
+    /// The same punch, pressed with another force.
+    pub(crate) fn with_force(&self, force: f64) -> Self {
+        Self { force, ..self.clone() }
+    }
+
+    /// The punch as it is written.
+    pub(super) fn label(&self) -> String {
+        self.punch.map_or_else(String::new, |punch| punch.label(self.twin.geometry()))
+    }
+
+    /// Where it ends on both sides of its tip, in units of L; infinite where it does not.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        self.shape.ends().map(|end| end / self.length)
     }
 
     /// Half-length of the contact, in units of L, if the punch has sharp corners.
@@ -65,7 +87,7 @@ impl<'a> PunchProfile<'a> {
 
     /// Whether the pressure is infinite at the apex.
     pub(crate) fn is_sharp(&self) -> bool {
-        self.punch.is_sharp()
+        self.punch.is_some_and(Punch::is_sharp)
     }
 
     /// By how much the slope jumps at a sharp tip, per unit of P'.
@@ -87,7 +109,7 @@ impl<'a> PunchProfile<'a> {
     pub(crate) fn too_small(&self, half_length: f64) -> Option<ContactError> {
         let edge = self.shape.edge().filter(|_| self.flat().is_none())?;
         (half_length * self.length > NEARLY * edge)
-            .then(|| NoSolution::PunchTooSmall { punch: self.punch.label(self.twin.geometry()), edge }.into())
+            .then(|| NoSolution::PunchTooSmall { punch: self.label(), edge }.into())
     }
 
     /// The half-length at which a step from `before` to `after` ends: a contact covers more than the flat part of the

@@ -8,7 +8,7 @@ use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side};
 use crate::kernel::Kernel;
 use crate::numeric::longest;
-use crate::scene::{Punch, Top};
+use crate::scene::{Gap, Punch, Top};
 use crate::solution::Interface;
 use std::f64::consts::{LN_2, PI};
 
@@ -51,7 +51,7 @@ fn force_on(
 
 /// The length of the contact itself, in the unit of the scene, where the stack has none: the length of a given pressure, or what
 /// Hertz's formula expects. `None` if the stack has a length, or if nothing has one, as a line load on a half-plane.
-pub(crate) fn length(kernel: &Kernel, (top, gaps): (&Top, &[(Interface, Punch)]), force: f64) -> Option<f64> {
+pub(crate) fn length(kernel: &Kernel, (top, gaps): (&Top, &[(Interface, Gap)]), force: f64) -> Option<f64> {
     if !kernel.has_no_length() {
         return None;
     }

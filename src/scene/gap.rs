@@ -1,0 +1,25 @@
+//! Gaps between layers before anything is loaded.
+use super::punch::Punch;
+use super::shape::Shape;
+
+/// A gap at a receding interface: of the shape of a punch about x = 0, if there is one, and what free laminates bend apart.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Gap {
+    pub(crate) punch: Option<Punch>,
+    /// By how much the slope of the gap grows with x besides, in 1/length.
+    pub(crate) curvature: f64,
+}
+
+impl Gap {
+    /// Both together.
+    pub(crate) fn shape(&self) -> Shape<'_> {
+        let punch = self.punch.as_ref().map(Punch::shape);
+        punch.unwrap_or_else(|| Shape::powers(1.0, Vec::new())).bent(self.curvature)
+    }
+
+    /// Whether a circle or sharp corners are to be bent, which no shape is known for.
+    pub(crate) fn is_unknown(&self) -> bool {
+        let punch = self.punch.as_ref().map(Punch::shape);
+        self.curvature != 0.0 && matches!(punch, Some(Shape::Circle(_) | Shape::Flat(_)))
+    }
+}

@@ -1,0 +1,133 @@
+//! Residual stresses of layers with eigenstrains, and how these bend the laminates.
+//!
+//! Far from all ends a laminate whose layers would have the strains t along it if they were free is strained by e₀ + κ (d − d_n) at the depth d, so that the stresses w (e₀ + κ (d − d_n) − t)
+//! have neither a resultant nor a moment; w is the modulus of a stretched plate. Layers that slide on each other have resultants of their own, and one moment. What is joined to the base
+//! stays flat, and what is bonded to it is not stretched. Sources: Stoney 1909, Timoshenko 1925.
+use recede_layers::{Layer, Material};
+
+use super::{Group, Joint, Stack};
+use crate::geometry::Geometry;
+use crate::numeric::quadrature::rule;
+
+/// Gauss points between two depths where a material is not smooth: enough for moduli that vary over the layer by many powers of ten.
+const POINTS: usize = 64;
+/// Curvatures that would strain a laminate by a smaller part of its eigenstrains are rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// The strains of all layers against their own eigenstrains.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Residual {
+    /// By how much the slope of each free laminate grows with x, in 1/length: positive if its edges bend up.
+    pub(crate) curvatures: Vec<f64>,
+    /// Of each layer, half-planes among them, the strain at its top face, eigenstrain not counted, and what it grows by with the depth.
+    pub(crate) strains: Vec<[f64; 2]>,
+}
+
+/// What layers that are bonded to each other are, in moments about the top of the body: ∫ w dⁿ, and ∫ w t dⁿ.
+#[derive(Clone, Copy, Default)]
+struct Moments {
+    stiffness: [f64; 3],
+    free: [f64; 2],
+}
+
+impl Stack {
+    /// The strains of all layers; `None` if no layer has an eigenstrain.
+    pub(crate) fn residual(&self) -> Option<Residual> {
+        let is_strained = |group: Group| group.layers().any(|placed| placed.layer.eigenstrain() != 0.0);
+        if !self.groups().any(is_strained) {
+            return None;
+        }
+        let mut residual = Residual::default();
+        for (i, group) in self.groups().enumerate() {
+            let is_free = i < self.laminates.len();
+            residual.curvatures.push(residual_of(&group, is_free, self.geometry, &mut residual.strains));
+        }
+        Some(residual)
+    }
+}
+
+/// Adds the strains of the layers of a body, and returns its curvature.
+fn residual_of(group: &Group, is_free: bool, geometry: Geometry, strains: &mut Vec<[f64; 2]>) -> f64 {
+    // layers that do not slide on each other
+    let mut parts: Vec<(Moments, usize)> = vec![Default::default()];
+    let (mut top, mut tops) = (0.0, Vec::new());
+    let mut joints = group.joints().iter();
+    for placed in group.layers() {
+        if let Some((moments, count)) = parts.last_mut() {
+            *count += 1;
+            moments.add(&*placed.layer, top, geometry);
+        }
+        tops.push(top);
+        top += placed.layer.thickness().unwrap_or(0.0);
+        if joints.next().is_some_and(slides) {
+            parts.push(Default::default());
+        }
+    }
+    let largest = group.layers().map(|placed| placed.layer.eigenstrain().abs()).fold(0.0, f64::max);
+    let [moment, rigidity] =
+        parts.iter().map(|(moments, _)| moments.bending()).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+    let curvature =
+        if is_free && (moment / rigidity * top).abs() > ROUNDING * largest { moment / rigidity } else { 0.0 };
+    let count = parts.len();
+    let mut tops = tops.into_iter();
+    for (k, (Moments { stiffness: [whole, first, _], free: [resultant, _] }, layers)) in parts.into_iter().enumerate() {
+        // what is bonded to the base is not stretched
+        let (mean, about) = if !is_free && k + 1 == count { (0.0, 0.0) } else { (resultant / whole, first / whole) };
+        strains.extend(tops.by_ref().take(layers).map(|top| [mean + curvature * (top - about), curvature]));
+    }
+    curvature
+}
+
+/// Whether layers slide on each other at a joint.
+fn slides(joint: &Joint) -> bool {
+    joint.tangential == 0.0
+}
+
+impl Moments {
+    fn add(&mut self, layer: &dyn Layer, top: f64, geometry: Geometry) {
+        let Some(thickness) = layer.thickness() else { return };
+        let mut ends = layer.kinks();
+        ends.extend([0.0, thickness]);
+        ends.sort_by(f64::total_cmp);
+        for (depth, weight) in ends.windows(2).flat_map(|pair| rule(POINTS).on(pair[0], pair[1])) {
+            let [stiffness, free] = stretched(layer, &layer.material(depth, geometry.plane()), geometry);
+            let d = top + depth;
+            let own = weight * stiffness;
+            self.stiffness.iter_mut().zip([1.0, d, d * d]).for_each(|(sum, power)| *sum += own * power);
+            self.free.iter_mut().zip([1.0, d]).for_each(|(sum, power)| *sum += own * free * power);
+        }
+    }
+
+    /// Moment of the eigenstrains, and rigidity, about the neutral axis.
+    fn bending(&self) -> [f64; 2] {
+        let ([whole, first, second], [resultant, moment]) = (self.stiffness, self.free);
+        if whole == 0.0 { [0.0; 2] } else { [moment - resultant * first / whole, second - first * first / whole] }
+    }
+}
+
+/// The modulus w of a stretched plate, and the strain t along it that it would have if it were free; about an axis it is stretched in all directions.
+fn stretched(layer: &dyn Layer, material: &Material, geometry: Geometry) -> [f64; 2] {
+    let poisson = material.out_of_plane.map_or(0.0, |[along, _]| along);
+    let (stiffness, free) = (material.axial_stiffness, layer.eigenstrain());
+    match geometry {
+        Geometry::PlaneStrain => [stiffness, (1.0 + poisson) * free],
+        Geometry::PlaneStress => [stiffness, free],
+        Geometry::Axisymmetric => [(1.0 + poisson) * stiffness, free],
+    }
+}
+
+/// The residual stresses along a layer, and out of the plane or about the axis, where it is strained so much.
+pub(crate) fn residual_stress(layer: &dyn Layer, material: &Material, geometry: Geometry, strain: f64) -> [f64; 2] {
+    let [stiffness, free] = stretched(layer, material, geometry);
+    let along = stiffness * (strain - free);
+    let poisson = material.out_of_plane.map_or(f64::NAN, |[along, _]| along);
+    let out = match geometry {
+        // nothing is strained out of the plane
+        Geometry::PlaneStrain => {
+            poisson * along - (1.0 - poisson * poisson) * material.axial_stiffness * layer.eigenstrain()
+        }
+        Geometry::PlaneStress => 0.0,
+        Geometry::Axisymmetric => along,
+    };
+    [along, out]
+}
