@@ -87,7 +87,7 @@ fn residual_stresses_have_neither_a_force_nor_a_moment() {
         [("Bonded", &[[0, 3]][..]), ("Spring(normal: 3, tangential: 2)", &[[0, 3]]), ("Sliding", &[[0, 2], [2, 3]])]
     {
         let layers = format!(
-            "Exponential(thickness: 0.7, shear_modulus: 2, poisson: 0.3, beta: -2, eigenstrain: 4e-4), Bonded,
+            "Exponential(thickness: 0.7, shear_modulus: 2, poisson: 0.3, beta: -2, eigenstrain: -1e-3), Bonded,
              Homogeneous(thickness: 0.4, shear_modulus: 3, poisson: 0.1, eigenstrain: 9e-4), {joint},
              Homogeneous(thickness: 0.3, shear_modulus: 1, poisson: 0.4), Receding, {GROUND}"
         );
