@@ -49,13 +49,16 @@ class Homogeneous(StackItem):
         poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
         shear_modulus: Shear modulus μ, in stress; or in its place `young`. Allowed: a finite number > 0.
         young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+        eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
+            Allowed: a finite number.
     """
 
-    __slots__ = ("thickness", "poisson", "shear_modulus", "young")
+    __slots__ = ("thickness", "poisson", "shear_modulus", "young", "eigenstrain")
     thickness: float | str
     poisson: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    eigenstrain: float | str | None
 
     def __init__(
         self,
@@ -64,8 +67,15 @@ class Homogeneous(StackItem):
         poisson: Number,
         shear_modulus: Number | None = None,
         young: Number | None = None,
+        eigenstrain: Number | None = None,
     ) -> None:
-        self._set(thickness=thickness, poisson=poisson, shear_modulus=shear_modulus, young=young)
+        self._set(
+            thickness=thickness,
+            poisson=poisson,
+            shear_modulus=shear_modulus,
+            young=young,
+            eigenstrain=eigenstrain,
+        )
 
 
 class Exponential(StackItem):
@@ -80,14 +90,17 @@ class Exponential(StackItem):
             0.
         young: Young's modulus E at the top face, in stress; or in its place `shear_modulus`. Allowed: a finite number >
             0.
+        eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
+            Allowed: a finite number.
     """
 
-    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young")
+    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young", "eigenstrain")
     thickness: float | str
     poisson: float | str
     beta: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    eigenstrain: float | str | None
 
     def __init__(
         self,
@@ -97,8 +110,16 @@ class Exponential(StackItem):
         beta: Number,
         shear_modulus: Number | None = None,
         young: Number | None = None,
+        eigenstrain: Number | None = None,
     ) -> None:
-        self._set(thickness=thickness, poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
+        self._set(
+            thickness=thickness,
+            poisson=poisson,
+            beta=beta,
+            shear_modulus=shear_modulus,
+            young=young,
+            eigenstrain=eigenstrain,
+        )
 
 
 class Graded(StackItem):
@@ -110,14 +131,17 @@ class Graded(StackItem):
         young: Young's modulus as a function of the depth d, in stress; or in its place `shear_modulus`.
         poisson: Poisson's ratio, if it is the same at any depth. Allowed: -1 < poisson <= 0.5.
         poisson_profile: Poisson's ratio as a function of depth, in place of `poisson`.
+        eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
+            Allowed: a finite number.
     """
 
-    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile")
+    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile", "eigenstrain")
     thickness: float | str
     shear_modulus: Profile | None
     young: Profile | None
     poisson: float | str | None
     poisson_profile: Profile | None
+    eigenstrain: float | str | None
 
     def __init__(
         self,
@@ -127,6 +151,7 @@ class Graded(StackItem):
         young: Profile | None = None,
         poisson: Number | None = None,
         poisson_profile: Profile | None = None,
+        eigenstrain: Number | None = None,
     ) -> None:
         self._set(
             thickness=thickness,
@@ -134,6 +159,7 @@ class Graded(StackItem):
             young=young,
             poisson=poisson,
             poisson_profile=poisson_profile,
+            eigenstrain=eigenstrain,
         )
 
 
@@ -145,13 +171,16 @@ class Orthotropic(StackItem):
         young: Young's moduli.
         poisson: Poisson's ratios.
         shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
+        eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
+            Allowed: a finite number.
     """
 
-    __slots__ = ("thickness", "young", "poisson", "shear_modulus")
+    __slots__ = ("thickness", "young", "poisson", "shear_modulus", "eigenstrain")
     thickness: float | str
     young: OrthotropicYoung
     poisson: OrthotropicPoisson
     shear_modulus: float | str
+    eigenstrain: float | str | None
 
     def __init__(
         self,
@@ -160,8 +189,15 @@ class Orthotropic(StackItem):
         young: OrthotropicYoung | tuple[Number, Number, Number] | Mapping[str, Number],
         poisson: OrthotropicPoisson | tuple[Number, Number, Number] | Mapping[str, Number],
         shear_modulus: Number,
+        eigenstrain: Number | None = None,
     ) -> None:
-        self._set(thickness=thickness, young=young, poisson=poisson, shear_modulus=shear_modulus)
+        self._set(
+            thickness=thickness,
+            young=young,
+            poisson=poisson,
+            shear_modulus=shear_modulus,
+            eigenstrain=eigenstrain,
+        )
 
 
 class HalfPlane(StackItem):
@@ -282,23 +318,6 @@ class Winkler(StackItem):
         self._set(stiffness=stiffness, shear_stiffness=shear_stiffness)
 
 
-class Spring(StackItem):
-    """Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u].
-
-    Args:
-        normal: Stress σ_yy per length by which the layers separate. Allowed: a finite number > 0.
-        tangential: Stress σ_xy per length by which the layers slide on each other; none if it is not given. Allowed: a
-            finite number > 0.
-    """
-
-    __slots__ = ("normal", "tangential")
-    normal: float | str
-    tangential: float | str | None
-
-    def __init__(self, *, normal: Number, tangential: Number | None = None) -> None:
-        self._set(normal=normal, tangential=tangential)
-
-
 class Bonded(StackItem):
     """All displacements and stresses are continuous."""
 
@@ -318,12 +337,18 @@ class Sliding(StackItem):
 
 
 class Receding(StackItem):
-    """No friction, no adhesion, free to open: where closed it transmits pressure only."""
+    """No friction, no adhesion, free to open: where closed it transmits pressure only. Where layers are apart before
+    they are loaded, `Receding(gap: ...)` with the shape of a punch.
 
-    __slots__ = ()
+    Args:
+        gap: How far the layers are apart before they are loaded: a shape as of a punch.
+    """
 
-    def __init__(self) -> None:
-        self._set()
+    __slots__ = ("gap",)
+    gap: Punch | None
+
+    def __init__(self, *, gap: Punch | None = None) -> None:
+        self._set(gap=gap)
 
 
 class Rigid(StackItem):
@@ -333,6 +358,23 @@ class Rigid(StackItem):
 
     def __init__(self) -> None:
         self._set()
+
+
+class Spring(StackItem):
+    """Springs that neither open nor slide freely: σ_yy = normal · [v], σ_xy = tangential · [u].
+
+    Args:
+        normal: Stress σ_yy per length by which the layers separate. Allowed: a finite number > 0.
+        tangential: Stress σ_xy per length by which the layers slide on each other; none if it is not given. Allowed: a
+            finite number > 0.
+    """
+
+    __slots__ = ("normal", "tangential")
+    normal: float | str
+    tangential: float | str | None
+
+    def __init__(self, *, normal: Number, tangential: Number | None = None) -> None:
+        self._set(normal=normal, tangential=tangential)
 
 
 class Cylinder(Punch):

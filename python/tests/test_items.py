@@ -373,3 +373,26 @@ def test_several_punches_have_places_forces_and_tilts():
     ]:
         with pytest.raises(recede.InputError, match=message):
             make()
+
+
+def test_layers_may_be_apart_and_strained():
+    ground = recede.HalfPlane(shear_modulus=0.8, poisson=0.2)
+    gap = recede.Receding(gap=recede.Parabola(radius=100.0))
+    strip = Homogeneous(thickness=1.0, shear_modulus=0.7, poisson=0.3)
+    scene = Scene([strip, gap, ground], recede.Parabola(radius=100.0), 0.002)
+    assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
+    assert scene.solve().contacts[1].half_length == pytest.approx(0.46235337006, rel=1e-10)
+    assert scene.stack[1] == gap and gap.gap == recede.Parabola(radius=100.0) and recede.Receding().ron() == "Receding"
+    assert recede.Receding(gap=recede.Sphere(radius=1.0)).ron() == "Receding(gap: Sphere(radius: 1.0))"
+    warm = Homogeneous(thickness=0.5, shear_modulus=0.7, poisson=0.3, eigenstrain=1e-3)
+    cold = Homogeneous(thickness=0.5, shear_modulus=0.7, poisson=0.3)
+    curled = Scene([cold, recede.Bonded(), warm, recede.Receding(), ground], recede.Parabola(radius=100.0), 0.002).solve()
+    flat = Scene([strip, recede.Receding(), ground], recede.Parabola(radius=100.0), 0.002).solve()
+    assert curled.contacts[1].half_length < flat.contacts[1].half_length
+    for make, message in [
+        (lambda: recede.Receding(gap=recede.Parabola(radius=-1.0)), "found -1"),
+        (lambda: recede.Receding(gap=recede.ElasticCylinder(radius=1.0, young=1.0, poisson=0.3)), "elastic"),
+        (lambda: Homogeneous(thickness=1.0, young=1.0, poisson=0.3, eigenstrain=float("inf")), "found inf"),
+    ]:
+        with pytest.raises(recede.InputError, match=message):
+            make()
