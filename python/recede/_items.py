@@ -78,8 +78,10 @@ class Item(Written):
 
     def ron(self) -> str:
         """As it is written in a scene."""
-        fields = [written(one) if name in UNNAMED else f"{name}: {written(one)}" for name, one in self._fields().items()]
-        return f"{type(self).__name__}({', '.join(fields)})" if fields else type(self).__name__
+        if not type(self).__slots__:
+            return type(self).__name__
+        fields = (written(one) if name in UNNAMED else f"{name}: {written(one)}" for name, one in self._fields().items())
+        return f"{type(self).__name__}({', '.join(fields)})"
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("items cannot be changed; make another one")
@@ -122,6 +124,10 @@ class StackItem(Item):
     """An item of a stack."""
 
     __slots__ = ()
+
+    def ron(self) -> str:
+        # an interface may have a field, or none
+        return super().ron() if self._fields() else type(self).__name__
 
     def _scenes(self) -> list[str]:
         return [alone(geometry, PUNCH, self.ron()) for geometry in ("PlaneStrain", "Axisymmetric")]

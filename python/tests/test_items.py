@@ -114,7 +114,7 @@ def built(value, form="keywords", module=recede, is_field=False):
     if name[0].isupper() and len(value) == 1:
         inner = value[name]
         if isinstance(inner, dict):
-            return getattr(module, name)(**{key: built(one, form, profiles, True) for key, one in inner.items()})
+            return getattr(module, name)(**{key: built(one, form, recede if key == "gap" else profiles, True) for key, one in inner.items()})
         return getattr(module, name)(built(inner, form, recede, True))
     parts = {key: built(one, form, recede, True) for key, one in value.items()}
     if form == "in order" and not any(isinstance(one, recede.Item) for one in parts.values()):
@@ -382,7 +382,7 @@ def test_layers_may_be_apart_and_strained():
     scene = Scene([strip, gap, ground], recede.Parabola(radius=100.0), 0.002)
     assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
     assert scene.solve().contacts[1].half_length == pytest.approx(0.46235337006, rel=1e-10)
-    assert scene.stack[1] == gap and gap.gap == recede.Parabola(radius=100.0) and recede.Receding().ron() == "Receding"
+    assert scene.stack.items[1] == gap and gap.gap == recede.Parabola(radius=100.0) and recede.Receding().ron() == "Receding"
     assert recede.Receding(gap=recede.Sphere(radius=1.0)).ron() == "Receding(gap: Sphere(radius: 1.0))"
     warm = Homogeneous(thickness=0.5, shear_modulus=0.7, poisson=0.3, eigenstrain=1e-3)
     cold = Homogeneous(thickness=0.5, shear_modulus=0.7, poisson=0.3)
