@@ -149,11 +149,14 @@ fn times(rise: f64) -> f64 {
     if !(rise > 0.0 && rise < SEEN) {
         return 1.0;
     }
-    let wanted = 2.0 * SEEN / rise;
-    let power = 10f64.powf(wanted.log10().floor());
-    let round = [5.0, 2.0, 1.0].into_iter().map(|multiple| multiple * power).find(|times| *times <= wanted);
     // what rises by less is as good as flat
-    round.filter(|times| *times <= 1e6).unwrap_or(1.0)
+    Some(rounded_down(2.0 * SEEN / rise)).filter(|times| *times <= 1e6).unwrap_or(1.0)
+}
+
+/// The largest of the numbers 1, 2, 5, 10, 20, 50 and so on, and of their inverses, that is no larger than a number.
+pub(super) fn rounded_down(number: f64) -> f64 {
+    let power = 10f64.powf(number.log10().floor());
+    [5.0, 2.0, 1.0].into_iter().map(|multiple| multiple * power).find(|round| *round <= number).unwrap_or(power)
 }
 
 /// Where a height first exceeds the height of the drawing, or `end`.

@@ -2,13 +2,14 @@
 use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::depths::DrawnDepths;
 use super::names::{self, Dimension, after, index, unit};
-use super::picture::{Anchor, Colour, Picture, Stroke, italic};
+use super::picture::{Anchor, Colour, Picture, Stroke, WHITE, italic};
 use super::pressure::{highest, lines, pressure};
-use super::scale::{Scale, short};
+use super::punch::rounded_down;
+use super::scale::{Scale, label, short};
 use super::section::{self, GROUND, Section, WIDTH, hatching};
 use super::style::{INK, SMALL, curve};
 use crate::scene::Scene;
-use crate::solution::Solution;
+use crate::solution::{Contact, Solution};
 use crate::stack::{Group, Placed, Stack};
 
 /// Greatest height of the layers together, in points.
@@ -26,6 +27,9 @@ const SLICE: f64 = 0.5;
 const VARIES: f64 = 1e-9;
 /// If the largest pressures of two contacts differ by more than this factor, all are drawn in parts of their largest.
 const DIFFERENT: f64 = 20.0;
+/// Greatest height of a gap, in points, and places of its outline.
+const GAP: f64 = 8.0;
+const POINTS: usize = 170;
 /// Contacts that have a line in the list of pressures, at most.
 const LISTED: usize = 5;
 
@@ -122,7 +126,36 @@ impl Drawing<'_> {
             let name = support.map(|notation| format!("{}, {}", notation.kind, notation.parameters));
             labels.push((lowest + 0.5 * GROUND, name.unwrap_or("rigid".to_owned())));
         }
+        labels.extend(self.gaps(picture));
         section::labels(picture, labels, Anchor::Left, [0.0, self.bottom], "layers");
+    }
+
+    /// Gaps as they were before anything was loaded, in the layers above them. Returns labels that say by how much they are drawn higher than to scale.
+    fn gaps(&self, picture: &mut Picture) -> Vec<(f64, String)> {
+        let (numbers, gaps) = (self.numbers(), self.stack.gaps());
+        let mut labels = Vec::new();
+        for (found, y) in self.section.contacts_at(&numbers).into_iter().zip(&self.heights) {
+            let Some(Contact { interface, .. }) = found.map(|i| &self.section.contacts[i]) else { continue };
+            let places = (0..=POINTS).map(|k| WIDTH * k as f64 / POINTS as f64);
+            let height = |x: f64| gaps.height(*interface, (x - self.section.middle) / self.section.scale);
+            // beyond its ends a gap is not known
+            let known: Vec<(f64, f64)> =
+                places.map(|x| (x, height(x))).filter(|(_, height)| height.is_finite()).collect();
+            let highest = known.iter().fold(0.0, |most: f64, (_, height)| most.max(*height));
+            if highest > 0.0 {
+                let times = rounded_down(GAP / (highest * self.section.scale)).max(1.0);
+                let outline = known.iter().map(|(x, height)| (*x, y - (times * self.section.scale * height).min(GAP)));
+                let ends = known.last().into_iter().chain(known.first()).map(|(x, _)| (*x, *y));
+                picture.area(&outline.chain(ends).collect::<Vec<_>>(), WHITE);
+                labels.push((*y, format!("gap drawn × {}", label(times))));
+            }
+        }
+        labels
+    }
+
+    /// The numbers of the layers from the top down.
+    fn numbers(&self) -> Vec<usize> {
+        self.layers.iter().map(|placed| placed.number).collect()
     }
 
     fn varies(&self, placed: &Placed) -> bool {
@@ -148,8 +181,7 @@ impl Drawing<'_> {
 
     /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.
     fn interfaces(&self, picture: &mut Picture) {
-        let numbers: Vec<usize> = self.layers.iter().map(|placed| placed.number).collect();
-        let contacts = self.section.contacts;
+        let (numbers, contacts) = (self.numbers(), self.section.contacts);
         let mut labels = Vec::new();
         let faces = self.section.contacts_at(&numbers).into_iter().zip(&self.heights).enumerate();
         for (face, (found, y)) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
