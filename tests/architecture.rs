@@ -21,7 +21,7 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
     ("geometry", &[]),
     ("solution", &[]),
     ("scene", &[]),
-    ("stack", &["scene"]),
+    ("stack", &["numeric", "scene"]),
     ("system", &["stack"]),
     ("kernel", &["numeric", "stack", "system"]),
     ("validity", &["kernel", "scene"]),
