@@ -89,7 +89,8 @@ fn residual_stresses_have_neither_a_force_nor_a_moment() {
         let layers = format!(
             "Exponential(thickness: 0.7, shear_modulus: 2, poisson: 0.3, beta: -2, eigenstrain: -1e-3), Bonded,
              Homogeneous(thickness: 0.4, shear_modulus: 3, poisson: 0.1, eigenstrain: 9e-4), {joint},
-             Homogeneous(thickness: 0.3, shear_modulus: 1, poisson: 0.4), Receding, {GROUND}"
+             Orthotropic(thickness: 0.3, young: (x: 3, y: 1, z: 2), poisson: (xy: 0.3, xz: 0.2, yz: 0.1), shear_modulus: 0.5),
+             Receding, {GROUND}"
         );
         let scene = scene(&layers);
         let sums = [(1, 0.0, 0.7), (2, 0.7, 1.1), (3, 1.1, 1.4)].map(|(layer, from, to)| {
@@ -159,6 +160,22 @@ fn what_is_bonded_to_the_base_is_stressed_and_touches_as_before() {
     assert_eq!((found[0].sigma_yy, found[1]), (expected[0].sigma_yy, expected[1]));
     let tension = |extremes: &recede::Extremes| extremes.tension.unwrap().value;
     assert!(tension(&found_extremes) >= 0.999 * stress && tension(&extremes) < 0.5 * stress);
+}
+
+#[test]
+fn the_stress_out_of_the_plane_is_told_of_isotropic_materials_only() {
+    let ply = |own: &str| {
+        format!(
+            "Orthotropic(thickness: 0.3, young: (x: 3, y: 1, z: 2), poisson: (xy: 0.3, xz: 0.2, yz: 0.1), shear_modulus: 0.5{own}), Bonded,
+             {GROUND}"
+        )
+    };
+    let [strained, free] = [", eigenstrain: 1e-3", ""].map(|own| far(&scene(&ply(own)), 1, &[0.1])[0]);
+    assert!(strained.sigma_zz.is_nan() && free.sigma_zz.abs() < 1e-6, "{strained:?} {free:?}");
+    // ν_zx = ν_xz E_z/E_x, and E_x/(1 − ν_xz ν_zx) (1 + ν_zx) e
+    let poisson = 0.2 * 2.0 / 3.0;
+    let expected = -3.0 / (1.0 - 0.2 * poisson) * (1.0 + poisson) * 1e-3;
+    assert!(((strained.sigma_xx - free.sigma_xx) / expected - 1.0).abs() < 1e-12, "{strained:?} {expected}");
 }
 
 /// A layer of one's own that swells.

@@ -56,7 +56,7 @@ pub struct FieldPoint {
     pub sigma_xy: f64,
     /// Normal stress out of the plane: that for which ε_zz = 0 in plane strain, ν(σ_xx + σ_yy) of an isotropic material; 0 in
     /// plane stress. NaN in a layer whose material does not give it, see
-    /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane). In axisymmetric problems the stress about the axis, σ_θθ.
+    /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane), or that has an eigenstrain and is not isotropic. In axisymmetric problems the stress about the axis, σ_θθ.
     pub sigma_zz: f64,
     /// In axisymmetric problems the strains ε_rr, ε_θθ and ε_zz, positive where the material is stretched.
     pub strains: Option<[f64; 3]>,

@@ -122,10 +122,12 @@ pub(crate) fn residual_stress(layer: &dyn Layer, material: &Material, geometry: 
     let along = stiffness * (strain - free);
     let poisson = material.out_of_plane.map_or(f64::NAN, |[along, _]| along);
     let out = match geometry {
-        // nothing is strained out of the plane
-        Geometry::PlaneStrain => {
+        Geometry::PlaneStrain if layer.eigenstrain() == 0.0 => poisson * along,
+        // nothing is strained out of the plane, where Young's modulus is known of isotropic materials only
+        Geometry::PlaneStrain if material.is_isotropic() => {
             poisson * along - (1.0 - poisson * poisson) * material.axial_stiffness * layer.eigenstrain()
         }
+        Geometry::PlaneStrain => f64::NAN,
         Geometry::PlaneStress => 0.0,
         Geometry::Axisymmetric => along,
     };
