@@ -158,7 +158,7 @@ impl Pressed {
         self.force.get()
     }
 
-    /// The force, or what it is found for.
+    /// The force, or what is prescribed in its place.
     pub fn pressed_by(&self) -> Force {
         self.prescribed.unwrap_or(Force::Given(self.force()))
     }
