@@ -211,49 +211,28 @@ fn sunk(
     solution: &Solution,
 ) -> [f64; 2] {
     let (length, is_round) = (kernel.length(), kernel.geometry().is_axisymmetric());
-    let touching = |(i, contact): (usize, &Contact)| -> Vec<[f64; 2]> {
-        if contact.about.is_some() {
-            let [middle, right] = [contact.touching()[0], contact.innermost().right];
-            return vec![[2.0 * middle - right, right]];
-        }
-        let of_punch = (i == 0).then(|| contact.of_each_punch().into_iter().nth(number)).flatten();
-        of_punch.as_ref().unwrap_or(contact).intervals().iter().map(|own| [own.left, own.right]).collect()
-    };
-    let all = || solution.contacts().iter();
-    let mut windows = MeanWindow::on_contacts(&all().enumerate().map(touching).collect::<Vec<_>>());
-    let (middle, is_even) = (windows.first().map_or(0.0, |window| window.middle), solution.about().is_some());
+    let (all, is_even) = (|| solution.contacts().iter(), solution.about().is_some());
+    let mut windows = windows(solution, number);
     // layers between two windows at different places turn
     let turned = windows.windows(2).zip(solution.rotations());
     let turned: f64 = turned.map(|(pair, angle)| angle * (pair[0].middle - pair[1].middle)).sum();
+    let mut sunk = [-turned; 2];
+    let mut add = |means: [f64; 2]| sunk.iter_mut().zip(means).for_each(|(sunk, mean)| *sunk += mean);
+    if let Some((pressed, gaps)) = pressed {
+        let tilt = solution.punches().get(number).map_or(0.0, |carried| carried.tilt);
+        add(mean_heights(&windows[0], &pressed.shape().shape(), pressed.at(), tilt, is_round));
+        for (window, contact) in windows.iter().zip(all()) {
+            let gap = gaps.iter().find(|(interface, _)| *interface == contact.interface);
+            gap.iter().for_each(|(_, gap)| add(mean_heights(window, &gap.shape(), 0.0, 0.0, is_round)));
+        }
+    }
     // places count from where all is even, or from the middle of the window under the punch, in units of L
-    let from = solution.about().unwrap_or(middle);
+    let from = solution.about().unwrap_or(windows[0].middle);
     for window in &mut windows {
         *window = MeanWindow { middle: (window.middle - from) / length, half: window.half / length };
     }
     let end = |contact: &Contact| largest(contact.ends().map(|end| (end - from).abs() / length));
     let ends: Vec<f64> = all().map(end).collect();
-    // how much higher than at its lowest point a punch is, or a gap, before it was turned
-    let mean = |window: &MeanWindow, shape: &Shape, at: f64, tilt: f64| {
-        let (mut starts, lowest) = (shape.starts(), shape.lowest());
-        // powers are not smooth at the tip
-        starts.push(0.0);
-        let starts: Vec<f64> = starts.iter().map(|start| (start + at - from) / length).collect();
-        let height = |x: f64| {
-            let from_tip = x * length + from - at;
-            shape.height(from_tip) - lowest + tilt * from_tip
-        };
-        window.of_profile(is_round, height, &starts)
-    };
-    let mut sunk = [-turned; 2];
-    let mut add = |means: [f64; 2]| sunk.iter_mut().zip(means).for_each(|(sunk, mean)| *sunk += mean);
-    if let Some((pressed, gaps)) = pressed {
-        let tilt = solution.punches().get(number).map_or(0.0, |carried| carried.tilt);
-        add(mean(&windows[0], &pressed.shape().shape(), pressed.at(), tilt));
-        for (window, contact) in windows.iter().zip(all()) {
-            let gap = gaps.iter().find(|(interface, _)| *interface == contact.interface);
-            gap.iter().for_each(|(_, gap)| add(mean(window, &gap.shape(), 0.0, 0.0)));
-        }
-    }
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
     let pressures: Vec<ContactPressure> = all().map(|contact| ContactPressure::new(contact, is_even, from)).collect();
     kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {
@@ -272,4 +251,25 @@ fn sunk(
         }
     });
     sunk
+}
+
+/// Where displacements are averaged under the punch of this number and below.
+fn windows(solution: &Solution, number: usize) -> Vec<MeanWindow> {
+    let touching = |(i, contact): (usize, &Contact)| -> Vec<[f64; 2]> {
+        if contact.about.is_some() {
+            let [middle, right] = [contact.touching()[0], contact.innermost().right];
+            return vec![[2.0 * middle - right, right]];
+        }
+        let of_punch = (i == 0).then(|| contact.of_each_punch().into_iter().nth(number)).flatten();
+        of_punch.as_ref().unwrap_or(contact).intervals().iter().map(|own| [own.left, own.right]).collect()
+    };
+    MeanWindow::on_contacts(&solution.contacts().iter().enumerate().map(touching).collect::<Vec<_>>())
+}
+
+/// How much higher than at its lowest point, before it was turned, a punch at a place is on average over a window, or a gap.
+fn mean_heights(window: &MeanWindow, shape: &Shape, at: f64, tilt: f64, is_round: bool) -> [f64; 2] {
+    let lowest = shape.lowest();
+    // powers are not smooth at the tip
+    let starts: Vec<f64> = shape.starts().into_iter().chain([0.0]).map(|start| start + at).collect();
+    window.of_profile(is_round, |x| shape.height(x - at) - lowest + tilt * (x - at), &starts)
 }
