@@ -31,6 +31,8 @@ impl Strained {
     }
 }
 
+// A provided method that is not passed on would answer for the wrapped layer with what is provided: clippy finds each one.
+#[deny(clippy::missing_trait_methods)]
 impl Layer for Strained {
     fn thickness(&self) -> Option<f64> {
         self.layer.thickness()
@@ -54,6 +56,11 @@ impl Layer for Strained {
 
     fn key(&self) -> Option<Key> {
         self.layer.key().map(|key| key.with([self.eigenstrain]))
+    }
+
+    /// A layer with another eigenstrain is another body, and no type of layers knows of eigenstrains.
+    fn continues(&self, _below: &dyn Layer) -> Option<Arc<dyn Layer>> {
+        None
     }
 
     fn is_same_all_around(&self) -> bool {

@@ -1,7 +1,7 @@
 //! Gaps between layers before anything is loaded.
 //!
-//! Goal: a receding contact has a profile as a punch has: contacts are those of an independent program, tend to Hertz's and to the ones of layers without gaps, are found with and without symmetry, by
-//! force and by depth, and fields, profiles, checks and reports see the gap.
+//! Goal: a receding contact has a profile, like the contact of a punch. Half-lengths and pressures equal the numbers of an independent program, and tend to Hertz's contact and to the contact of layers
+//! without gaps; contacts are found with and without symmetry, by force and by depth; fields, profiles, checks and reports see the gap.
 use recede::{Error, Force, HalfPlane, Homogeneous, Model, NoSolution, Plane, Punch, Scene, Solution, Stack};
 
 /// A strip of thickness 1 on a base, with a gap below it.

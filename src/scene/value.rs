@@ -20,7 +20,7 @@ pub enum ListError {
     /// Forces so large that their sum is not finite.
     #[error("the forces of the {0} are together beyond the largest number")]
     Sum(&'static str),
-    /// A punch of which so many of these are given.
+    /// A punch of which none, or more than one, of a force, a depth, a left and a right end is given, and how many are.
     #[error("{0} of `force`, `depth`, `left` and `right` are given; each of several punches has exactly one of them")]
     Pressed(usize),
     /// The punch of this number is elastic, and stands beside others, away from x = 0, or is turned.
