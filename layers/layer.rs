@@ -124,8 +124,13 @@ pub trait Layer: Debug + Send + Sync + Any {
         None
     }
 
-    /// The strain that the layer would have in all directions if nothing held it, dimensionless; provided: 0. See [`Strained`](crate::Strained).
+    /// The strain that the layer would have in all directions if nothing held it, dimensionless; provided: 0. See [`Loaded`](crate::Loaded).
     fn eigenstrain(&self) -> f64 {
+        0.0
+    }
+
+    /// The weight of the layer, force per volume, positive downwards; provided: 0. See [`Loaded`](crate::Loaded).
+    fn specific_weight(&self) -> f64 {
         0.0
     }
 

@@ -47,6 +47,7 @@ mod homogeneous;
 mod key;
 mod layer;
 mod linear;
+mod loaded;
 mod material;
 mod notation;
 mod orthotropic;
@@ -57,7 +58,6 @@ mod quantity;
 mod registry;
 mod stable;
 mod state;
-mod strained;
 mod support;
 #[cfg(feature = "read")]
 pub mod tree;
@@ -73,16 +73,18 @@ pub use homogeneous::Homogeneous;
 pub use key::{Identity, Key};
 pub use layer::{ClosedForm, Layer};
 pub use linear::solve_equilibrated;
+pub use loaded::Loaded;
 pub use material::{ElasticConstants, Isotropic, Material, Plane};
 pub use notation::{Notation, Parameter};
 pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, PoissonRatios, Young};
 pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table};
-pub use quantity::{Carrying, Exponent, Finite, HalfAngle, OutOfRange, Poisson, Positive, Stiffening, Thickness};
+pub use quantity::{
+    Carrying, Exponent, Finite, HalfAngle, OutOfRange, Poisson, Positive, Pressing, Stiffening, Thickness,
+};
 #[cfg(feature = "read")]
 pub use registry::{Body, Entry, ReadBody, Registry};
 pub use state::{FaceStates, InnerStates, LayerStates, State, Wave};
-pub use strained::Strained;
 pub use support::Support;
 pub use winkler::Winkler;
 

@@ -86,6 +86,7 @@ mod stack;
 mod sweep;
 mod system;
 mod validity;
+mod weights;
 
 pub use approach::{Approach, ApproachError, Stiffness};
 pub use axis::{Axis, AxisError};
@@ -104,15 +105,16 @@ pub use profile::{ContactProfile, FaceProfiles, profile_places};
 pub use recede_layers as layers;
 pub use recede_layers::{
     ClosedForm, EngineeringConstants, Exponential, FaceStates, Flexibility, Graded, GradedHalfPlane, HalfPlane,
-    Homogeneous, Isotropic, Key, Layer, LayerError, Material, Notation, Orthotropic, OrthotropicHalfPlane, Plane,
-    PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
+    Homogeneous, Isotropic, Key, Layer, LayerError, Loaded, Material, Notation, Orthotropic, OrthotropicHalfPlane,
+    Plane, PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
     ElasticCylinder, Force, HeightsError, Item, ListError, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad, Pressed,
     Punch, Punches, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
 };
 pub use solution::{
-    Carried, Contact, Controlled, Interface, Interval, Ledger, LedgerEntry, Peak, Solution, Stats, Warning, WarningCode,
+    Carried, ClosedInterface, Contact, Controlled, Interface, Interval, Ledger, LedgerEntry, Opening, Peak, Separation,
+    Solution, Stats, Warning, WarningCode,
 };
 pub use stack::{
     Base, Foundation, Joint, Laminate, MAX_CONTRAST, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackBuilder, StackError,

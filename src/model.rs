@@ -10,8 +10,12 @@ use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
 use crate::scene::{Force, Pressed, Scene, Top};
-use crate::solution::{Interface, Ledger, OwnerKey, Solution};
+use crate::solution::{ClosedInterface, Interface, Ledger, OwnerKey, Separation, Solution};
 use crate::stack::{Gaps, Stack};
+use crate::weights::Weights;
+
+/// Tension on an interface that weights keep closed counts as none below this part of the weight.
+const COARSEST: f64 = 1e-9;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
 ///
@@ -38,13 +42,16 @@ pub struct Model {
     interfaces: Vec<Interface>,
     gaps: Gaps,
     kernel: Kernel,
+    /// The stack with closed interfaces in place of those that weights press together, which is what is solved for, and what presses on these; `None` if nothing does.
+    closed: Option<(Stack, Weights)>,
     curves: Option<Arc<Curves>>,
 }
 
 impl Model {
     /// How many numbers the model stores, about.
     pub(crate) fn stored_numbers(&self) -> usize {
-        self.kernel.stored_numbers() + self.curves.as_ref().map_or(0, |curves| curves.stored_numbers())
+        let of_weights = self.closed.as_ref().map_or(0, |(_, weights)| weights.kernel.stored_numbers());
+        self.kernel.stored_numbers() + of_weights + self.curves.as_ref().map_or(0, |curves| curves.stored_numbers())
     }
 
     /// Evaluates the stack's flexibilities.
@@ -53,9 +60,12 @@ impl Model {
     /// [`Error::Unresolved`] if a layer's fields are not finite at some wavenumber, or vary too fast with it.
     pub fn new(stack: Stack) -> Result<Self, Error> {
         stack.check_faces()?;
-        let kernel = Kernel::new(&stack)?;
-        let (key, interfaces, gaps) = (OwnerKey::new(stack.key()), stack.contacts(), stack.gaps());
-        Ok(Self { key, interfaces, gaps, stack, kernel, curves: None })
+        let weights = Weights::of(&stack)?;
+        let closed = weights.and_then(|weights| Some((stack.closed()?, weights)));
+        let own = closed.as_ref().map_or(&stack, |(closed, _)| closed);
+        let (kernel, key) = (Kernel::new(own)?, OwnerKey::new(stack.key()));
+        let (interfaces, gaps) = (own.contacts(), own.gaps());
+        Ok(Self { key, interfaces, gaps, stack, kernel, closed, curves: None })
     }
 
     /// The same model for many forces under a few punches: it keeps solutions at fixed forces, each of them found when it is first needed, and interpolates between
@@ -106,17 +116,69 @@ impl Model {
         let is_known = top.loads().is_some() && self.kernel.contacts() == 1;
         let sinks = |(pressed, _): (&Pressed, f64)| matches!(pressed.pressed_by(), Force::ForDepth(_));
         match force {
-            Force::ForDepth(_) => approach::defined(top, &self.stack).map(|_| ())?,
+            Force::ForDepth(_) => approach::defined(top, self.solved()).map(|_| ())?,
             Force::OfEach if top.punches().is_some_and(|punches| punches.parts().any(sinks)) => {
-                approach::punches(top, &self.stack).map(|_| ())?;
+                approach::punches(top, self.solved()).map(|_| ())?;
             }
             _ => {}
         }
         let press = |tolerance: f64, force: Force| contact::press(&Asked { tolerance, ..asked }, force);
-        Ok(match self.curves.as_ref().filter(|_| !is_known) {
+        let solution = match self.curves.as_ref().filter(|_| !is_known) {
             Some(curves) => curves.press(top, options.tolerance, force, press),
             None => press(options.tolerance, force),
-        }?)
+        }?;
+        self.with_closed(top, solution)
+    }
+
+    /// A solution with the interfaces that weights keep closed.
+    fn with_closed(&self, top: &Top, solution: Solution) -> Result<Solution, Error> {
+        let Some((_, weights)) = &self.closed else { return Ok(solution) };
+        let closed = weights.under(&solution);
+        let opens = closed.iter().find(|own| own.smallest_pressure < -COARSEST * own.weight);
+        let Some(&ClosedInterface { interface, smallest_at: x, .. }) = opens else {
+            return Ok(Solution { closed, ..solution });
+        };
+        let critical_force = self.separation_of(top, &solution).map_or(f64::NAN, |own| own.critical_force);
+        Err(NoSolution::LiftsOff { interface, x, critical_force }.into())
+    }
+
+    /// When layers that weights press together begin to come apart, if all forces on the top are scaled together; `None` if nothing presses layers together, or if no force
+    /// that the punch can carry parts them.
+    ///
+    /// ```
+    /// use recede::{Model, Scene};
+    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, load: Line, force: 20.0, stack: [
+    ///     Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0), Receding, Rigid])")?;
+    /// let model = Model::new(scene.stack()?)?;
+    /// let separation = model.separation(&scene.top, &model.press(&scene.top, scene.force)?)?.unwrap();
+    /// assert!((separation.critical_force - 44.139105985).abs() < 1e-8 && (separation.x - 1.770537706).abs() < 1e-8);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Field`] if the solution is one of another stack.
+    pub fn separation(&self, top: impl Into<Top>, solution: &Solution) -> Result<Option<Separation>, Error> {
+        self.check_owns(solution)?;
+        Ok(self.separation_of(&top.into(), solution))
+    }
+
+    fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
+        let (_, weights) = self.closed.as_ref()?;
+        let options = Options::default();
+        weights.separation(solution, |factor| {
+            let forces = solution.punches().iter().map(|carried| factor * carried.force);
+            let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
+            contact::press(
+                &self.asked(scaled.as_ref().unwrap_or(top), &options),
+                Force::Given(factor * solution.force()),
+            )
+            .ok()
+        })
+    }
+
+    /// The stack that is solved for: interfaces that weights press together are closed.
+    fn solved(&self) -> &Stack {
+        self.closed.as_ref().map_or(&self.stack, |(closed, _)| closed)
     }
 
     /// The question for the solver, without the force.
@@ -152,7 +214,7 @@ impl Model {
         self.check_owns(solution)?;
         let top = top.into();
         let kernel = self.asked(&top, &Options::default()).kernel_under(solution.force()).into_owned();
-        collocation::check(&top, &self.stack, &kernel, solution)
+        collocation::check(&top, self.solved(), &kernel, solution)
     }
 
     /// The unknowns and rows of the contact equations that a solution of this model solves; none where all pressures are given.
@@ -177,7 +239,7 @@ impl Model {
     /// [`FieldError::OtherStack`] if the solution is one of another stack.
     pub fn field(&self, solution: &Solution) -> Result<Field, FieldError> {
         self.check_owns(solution)?;
-        Ok(Field::new(&self.stack, solution))
+        Ok(Field::new(self.solved(), solution))
     }
 
     /// Pressures and gaps of all contacts, displacements and slopes of all faces, at places along x, for a solution of this model.
@@ -202,7 +264,7 @@ impl Model {
     /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
     pub fn profile(&self, top: impl Into<Top>, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
         self.check_owns(solution)?;
-        profile::profile(&top.into(), &self.stack, solution, x)
+        profile::profile(&top.into(), self.solved(), solution, x)
     }
 
     /// How far the punch has sunk into the stack since it touched it first, and the stiffness dP/dδ, for a solution of this model.
@@ -228,7 +290,7 @@ impl Model {
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
         self.check_owns(solution)?;
-        approach::approach(&top.into(), &self.stack, &self.kernel, solution)
+        approach::approach(&top.into(), self.solved(), &self.kernel, solution)
     }
 
     /// The approach of each punch, from left to right, also of punches that are several, turned or not at x = 0: how far its tip has moved down since the
@@ -249,7 +311,7 @@ impl Model {
     /// ```
     pub fn approaches(&self, top: impl Into<Top>, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
         match self.check_owns(solution) {
-            Ok(()) => approach::of_each(&top.into(), &self.stack, &self.kernel, solution),
+            Ok(()) => approach::of_each(&top.into(), self.solved(), &self.kernel, solution),
             Err(error) => vec![Err(error.into())],
         }
     }
@@ -261,7 +323,8 @@ impl Scene {
     /// # Errors
     /// As [`Stack::from_items`], with line and column if the scene was read from a text.
     pub fn stack(&self) -> Result<Stack, Error> {
-        Stack::from_items(self.geometry, &self.stack).map_err(|error| self.locate(error.into()))
+        Stack::from_items_under(self.geometry, self.pressure_on_top, &self.stack)
+            .map_err(|error| self.locate(error.into()))
     }
 }
 

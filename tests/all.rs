@@ -77,6 +77,7 @@ mod translation;
 mod validity;
 mod visible;
 mod wedges;
+mod weights;
 mod workers;
 
 #[test]

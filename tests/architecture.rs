@@ -13,7 +13,7 @@ const LONGEST: usize = 450;
 
 /// For each module of the library the modules that it may import, in the order in which data flow. Plain
 /// values that everybody may name are not listed, see [`SHARED`].
-const MAY_IMPORT: [(&str, &[&str]); 22] = [
+const MAY_IMPORT: [(&str, &[&str]); 23] = [
     ("numeric", &[]),
     ("axis", &[]),
     ("files", &[]),
@@ -27,12 +27,16 @@ const MAY_IMPORT: [(&str, &[&str]); 22] = [
     ("validity", &["kernel", "scene"]),
     ("contact", &["kernel", "numeric", "scene", "system", "validity"]),
     ("field", &["numeric", "stack", "system"]),
+    ("weights", &["field", "kernel", "numeric", "stack", "system"]),
     ("approach", &["contact", "field", "kernel", "numeric", "scene", "stack"]),
     // put together from the errors of the stages, for all that stands above them
     ("errors", &["approach", "axis", "contact", "field", "scene", "stack", "system"]),
     ("profile", &["field", "scene", "stack"]),
     ("collocation", &["contact", "errors", "field", "kernel", "numeric", "profile", "scene", "stack"]),
-    ("model", &["approach", "collocation", "contact", "errors", "field", "kernel", "profile", "scene", "stack"]),
+    (
+        "model",
+        &["approach", "collocation", "contact", "errors", "field", "kernel", "profile", "scene", "stack", "weights"],
+    ),
     ("sweep", &["approach", "axis", "errors", "field", "model", "scene", "stack"]),
     ("plot", &["axis", "field", "files", "scene", "stack", "sweep"]),
     ("report", &["approach", "collocation", "errors", "field", "profile", "scene", "sweep"]),

@@ -2,7 +2,7 @@
 //!
 //! Goal: laminates are bent as Timoshenko and Stoney say, which is a gap of that curvature to the contact below; residual stresses are in equilibrium and part of all fields and extremes; a laminate
 //! that is strained uniformly is not stressed in the plane.
-use recede::layers::{Isotropic, Layer, Material, Plane, Strained};
+use recede::layers::{Isotropic, Layer, Loaded, Material, Plane};
 use recede::numeric::quadrature::rule;
 use recede::{FieldPoint, HalfPlane, Homogeneous, Model, Point, Scene, Solution, Stack};
 
@@ -212,7 +212,7 @@ fn eigenstrains_are_read_written_and_varied_and_layers_of_ones_own_may_have_one(
     assert!(solve(&more).contacts()[1].half_length() < solve(&scene).contacts()[1].half_length());
     let strip = || Homogeneous::new(0.5, 1.0, 0.3).unwrap();
     let ground = || HalfPlane::new(0.8, 0.2).unwrap();
-    let below = Strained::new(Homogeneous::new(0.5, 2.0, 0.3).unwrap(), 1e-3);
+    let below = Loaded::new(Homogeneous::new(0.5, 2.0, 0.3).unwrap()).with_eigenstrain(1e-3);
     let built = |stack: recede::StackBuilder| {
         let model = Model::new(stack.receding().layer(ground()).build().unwrap()).unwrap();
         model.press(&scene.top, scene.force).unwrap().contacts().to_vec()

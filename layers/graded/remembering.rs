@@ -91,6 +91,10 @@ impl Layer for Remembering {
         self.layer.eigenstrain()
     }
 
+    fn specific_weight(&self) -> f64 {
+        self.layer.specific_weight()
+    }
+
     fn is_same_all_around(&self) -> bool {
         self.layer.is_same_all_around()
     }

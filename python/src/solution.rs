@@ -54,9 +54,12 @@ impl Solution {
         let field = || solver.model.field(solution);
         let max_shear = max_shear.then(|| py.detach(|| field()?.max_shear())).transpose().map_err(failed)?;
         let extremes = extremes.then(|| py.detach(|| field()?.extremes())).transpose().map_err(failed)?;
+        let separation =
+            py.detach(|| solver.model.separation(&scene.top, solution)).map_err(|error| solver.failed(py, &error))?;
         let report = Report {
             scene,
             solution,
+            separation,
             approaches: self.approaches(py),
             max_shear,
             extremes: extremes.as_ref(),

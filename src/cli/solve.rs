@@ -96,6 +96,7 @@ impl SolveArguments {
         let report = Report {
             scene: &scene,
             solution: &solution,
+            separation: if is_told { model.separation(&scene.top, &solution)? } else { None },
             approaches: &approaches,
             // infinite under a line load, and next to sharp corners
             max_shear: max_shear.filter(|found| found.value.is_finite()),

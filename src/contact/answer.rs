@@ -66,6 +66,7 @@ impl Answer {
         warnings.extend(validity::warnings(problem.top, problem.kernel, &contacts));
         Solution {
             contacts,
+            closed: Vec::new(),
             punches,
             rotations,
             stack: stack.cloned(),

@@ -1,6 +1,6 @@
 //! Why a contact problem has no solution that could be found.
 use crate::geometry::Geometry;
-use crate::solution::Controlled;
+use crate::solution::{Controlled, Interface};
 use crate::system::Unresolved;
 
 /// Why a contact problem was not solved.
@@ -96,6 +96,18 @@ impl ContactError {
 /// Why no admissible contact was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoSolution {
+    /// Layers that weights press together come apart, which is not solved for here.
+    #[error(
+        "the layers at the contact {interface} come apart at {x:.6}: all is closed up to the force {critical_force:.9e} only"
+    )]
+    LiftsOff {
+        /// The interface.
+        interface: Interface,
+        /// Where it opens.
+        x: f64,
+        /// The force up to which nothing opens.
+        critical_force: f64,
+    },
     /// The contact would reach past the edge of the punch.
     #[error("the punch {punch} cannot carry the force: the contact would reach its edge, {edge:?} from its middle")]
     PunchTooSmall {
@@ -166,7 +178,11 @@ impl NoSolution {
     pub fn is_input(&self) -> bool {
         matches!(
             self,
-            Self::PunchTooSmall { .. } | Self::GapEnds { .. } | Self::PunchesMeet { .. } | Self::Unreachable { .. }
+            Self::LiftsOff { .. }
+                | Self::PunchTooSmall { .. }
+                | Self::GapEnds { .. }
+                | Self::PunchesMeet { .. }
+                | Self::Unreachable { .. }
         )
     }
 
@@ -174,6 +190,7 @@ impl NoSolution {
     pub fn hint(&self) -> Option<String> {
         let hint = match self {
             Self::PunchTooSmall { .. } => return None,
+            Self::LiftsOff { .. } => "press with a smaller force, or with more weight",
             Self::GapEnds { .. } => "give the gap farther out, or press with a smaller force",
             Self::PunchesMeet { .. } => "put them farther apart, or press with smaller forces",
             Self::NotConverged => {

@@ -7,7 +7,7 @@ use recede_layers::{Layer, Material, State, Wave};
 use super::pressure::ContactPressure;
 use super::surface::{Components, Remainder, Surface};
 use crate::geometry::Geometry;
-use crate::stack::{Placed, Stack, residual_stress};
+use crate::stack::{Placed, ResidualStrain, Stack, residual_stress};
 use crate::system::{BaseChain, BlockSystem, FaceLoad, FreeChain, slowest_decay};
 
 /// The remainder of a half-plane's fields counts as zero below this.
@@ -36,16 +36,14 @@ pub(super) struct PlacedLayer {
     /// The body it belongs to, and its place in it.
     pub(super) body: usize,
     pub(super) place: usize,
-    /// The strain at its top face that eigenstrains leave, and what it grows by with the depth, if there are any.
-    residual: Option<[f64; 2]>,
+    /// How eigenstrains and weights strain it, if there are any.
+    residual: Option<ResidualStrain>,
 }
 
 impl PlacedLayer {
-    /// The residual stresses along the layer, and out of the plane or about the axis.
-    pub(super) fn residual(&self, depth: f64, material: &Material, geometry: Geometry) -> [f64; 2] {
-        let of =
-            |[strain, growth]: [f64; 2]| residual_stress(&*self.layer, material, geometry, strain + growth * depth);
-        self.residual.map_or([0.0; 2], of)
+    /// The stresses before anything presses but weights: along the layer, across it, and out of the plane or about the axis.
+    pub(super) fn residual(&self, depth: f64, material: &Material, geometry: Geometry) -> [f64; 3] {
+        self.residual.map_or([0.0; 3], |strain| residual_stress(&*self.layer, material, geometry, strain, depth))
     }
 
     /// Depth of its bottom face, infinite for a half-plane.
@@ -116,7 +114,7 @@ pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
         for (place, Placed { number, layer }) in group.layers().enumerate() {
             let (number, layer, thickness) = (*number, layer.clone(), layer.thickness());
             let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
-            let residual = residual.as_ref().map(|residual| residual.strains[layers.len()]);
+            let residual = residual.as_ref().map(|residual| residual.layers[layers.len()]);
             layers.push(PlacedLayer { number, layer, top, thickness, slowest, body, place, residual });
             top += thickness.unwrap_or(0.0);
         }

@@ -242,9 +242,9 @@ impl Field {
             v,
             slope,
             sigma_xx: sigma_xx + residual[0],
-            sigma_yy,
+            sigma_yy: sigma_yy + residual[1],
             sigma_xy,
-            sigma_zz: sigma_zz + residual[1],
+            sigma_zz: sigma_zz + residual[2],
             strains,
         }
     }

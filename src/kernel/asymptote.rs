@@ -46,7 +46,7 @@ impl Asymptote {
         stats: &mut Stats,
     ) -> Result<Option<Self>, Unresolved> {
         let wanted: Vec<bool> = (0..chains.contacts()).map(|i| i == contact).collect();
-        let mut sample = Sample::new(chains.contacts());
+        let mut sample = Sample::new(chains.order());
         let mut values = Vec::with_capacity(POINTS);
         let points = chebyshev::points(0.0, 1.0, POINTS);
         for u in &points {

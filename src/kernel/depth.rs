@@ -109,10 +109,4 @@ impl Kernel {
             each(&DepthWaves { contact, zeta, all, resultant, odd, moment });
         }
     }
-
-    /// The contacts above and below a contact, with the laminates between.
-    pub(crate) fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
-        let below = (contact + 1 < self.contacts()).then_some((contact + 1, contact));
-        contact.checked_sub(1).map(|above| (above, above)).into_iter().chain(below)
-    }
 }

@@ -5,9 +5,11 @@
 //! punch, load or contact lengths: a homogeneous half-plane, which has no length, may be measured in the length of its contact.
 mod asymptote;
 mod closed;
+mod components;
 mod cut_off;
 mod depth;
 mod length;
+mod openings;
 mod panel;
 
 use std::sync::Arc;
@@ -21,6 +23,7 @@ use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
 
 pub(crate) use asymptote::{Asymptote, sum_of};
+use components::{Components, Kind};
 use panel::At;
 pub(crate) use panel::{Panel, Values};
 
@@ -59,6 +62,7 @@ pub(crate) struct Kernel {
 /// The chains of the block system, and the units in which they are evaluated.
 #[derive(Clone, Debug)]
 struct Chains {
+    kind: Kind,
     laminates: Vec<FreeChain>,
     base: BaseChain,
     geometry: Geometry,
@@ -76,20 +80,24 @@ struct Sample {
 }
 
 impl Sample {
-    fn new(contacts: usize) -> Self {
-        Self { components: vec![0.0; 3 * contacts], bent: vec![false; contacts - 1] }
+    fn new(order: Components) -> Self {
+        Self { components: vec![0.0; order.count()], bent: vec![false; order.contacts - 1] }
     }
 }
 
 impl Chains {
-    fn new(stack: &Stack) -> Self {
+    fn new(stack: &Stack, kind: Kind) -> Self {
         let (geometry, plane) = (stack.geometry(), stack.plane());
         let system = BlockSystem::new(stack);
         let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
         let top = laminates.first().map_or(base.top_layer(), |laminate| laminate.layers().first());
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
         let length = length::intrinsic_length(stack).unwrap_or(1.0);
-        Self { laminates, base, geometry, length, modulus }
+        Self { kind, laminates, base, geometry, length, modulus }
+    }
+
+    fn order(&self) -> Components {
+        Components { kind: self.kind, contacts: self.contacts() }
     }
 
     fn contacts(&self) -> usize {
@@ -111,8 +119,10 @@ impl Chains {
         if stats.wavenumbers > n * MOST_WAVENUMBERS {
             return Err(failed());
         }
+        // all openings are coupled with all
+        let is_wanted = |i: usize| self.kind == Kind::Openings || wanted[i];
         for (i, laminate) in self.laminates.iter().enumerate() {
-            if !(wanted[i] || wanted[i + 1]) {
+            if !(is_wanted(i) || is_wanted(i + 1)) {
                 continue;
             }
             let c = laminate.counted_flexibility(&wave, stats).ok_or_else(failed)?;
@@ -125,11 +135,17 @@ impl Chains {
             // bending moves both faces alike; several layers are eliminated with the rounding error of bending
             bent[i] |= laminate.layers().len() > 1 || c.equal_top + c.equal_bottom != 0.0;
         }
-        if wanted[n - 1] {
+        if is_wanted(n - 1) {
             let c = self.base.counted_flexibility(&wave, stats).ok_or_else(failed)?;
             components[n - 1] += c;
             components[2 * n - 1] += c;
             components[3 * n - 1] += c;
+        }
+        if self.kind == Kind::Openings {
+            let equal = components[n..2 * n].to_vec();
+            let bending: Vec<f64> = components[2 * n..3 * n - 1].iter().map(|coupling| -coupling).collect();
+            components.fill(0.0);
+            openings::of_openings(self.order(), &equal, &bending, components);
         }
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
     }
@@ -155,8 +171,17 @@ fn short_wave_allowance(half_length: f64, zeta: f64) -> f64 {
 impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
     pub(crate) fn new(stack: &Stack) -> Result<Self, Unresolved> {
+        Self::of_kind(stack, Kind::Contacts)
+    }
+
+    /// The kernels of openings between the laminates of `stack`, which lie on each other, and of the contact on top.
+    pub(crate) fn of_openings(stack: &Stack) -> Result<Self, Unresolved> {
+        Self::of_kind(stack, Kind::Openings)
+    }
+
+    fn of_kind(stack: &Stack, kind: Kind) -> Result<Self, Unresolved> {
         let (stack, merged) = stack.merged();
-        let mut kernel = Self::sampled(Chains::new(&stack))?;
+        let mut kernel = Self::sampled(Chains::new(&stack, kind))?;
         (kernel.stats.dropped, kernel.stats.merged) = (stack.dropped().len(), merged);
         Ok(kernel)
     }
@@ -176,7 +201,7 @@ impl Kernel {
 
     /// Samples chains until every component is resolved to rounding.
     fn sampled(chains: Chains) -> Result<Self, Unresolved> {
-        let n = chains.contacts();
+        let (n, order) = (chains.contacts(), chains.order());
         let (panels, asymptotes, stats) = (Vec::new(), Vec::new(), Stats::default());
         let mut kernel = Self { panels, asymptotes, stats, punch: 0.0, chains, workspace: Arc::default() };
         let mut asymptotes: Vec<Option<Asymptote>> = vec![None; n];
@@ -198,8 +223,7 @@ impl Kernel {
             }
             // a coupling, one wave through the laminate, vanishes at twice the wavenumber of a reflection from its far side
             let is_coupled = |i: usize| kernel.panels.last().is_none_or(|panel| panel.coupled[i]);
-            let is_wanted =
-                |i: usize| asymptotes[i].is_none() || i > 0 && is_coupled(i - 1) || i + 1 < n && is_coupled(i);
+            let is_wanted = |i: usize| asymptotes[i].is_none() || order.neighbours(i).any(|(_, pair)| is_coupled(pair));
             let wanted: Vec<bool> = (0..n).map(is_wanted).collect();
             if !wanted.contains(&true) {
                 kernel.asymptotes = asymptotes.into_iter().flatten().collect();
@@ -267,7 +291,7 @@ impl Kernel {
 
     /// Number of values stored.
     pub(crate) fn stored_numbers(&self) -> usize {
-        self.panels.len() * panel::POINTS * (3 * self.contacts() - 1)
+        self.panels.len() * panel::POINTS * self.chains.order().squeezed()
     }
 
     /// Counts of what was evaluated for the stack, and of the coupling values that vanish and are left out of all integrals.
@@ -308,9 +332,10 @@ impl Kernel {
         self.last_panel(|panel| panel.couplings[i] > allowed(panel))
     }
 
-    /// The lesser of the short-wave limits of the contacts i and i + 1.
+    /// The lesser of the short-wave limits of the two that coupling i couples.
     pub(crate) fn least(&self, i: usize) -> f64 {
-        self.asymptotes[i].limit.min(self.asymptotes[i + 1].limit)
+        let [above, below] = self.pair(i);
+        self.asymptotes[above].limit.min(self.asymptotes[below].limit)
     }
 
     /// The wavenumber beyond which contact i depends on little else than the layers at its faces: its kernel is within a third of its
@@ -324,8 +349,8 @@ impl Kernel {
 
     /// The wavenumber beyond which the equal-pressure response of contact i is a polynomial in 1/ζ, to rounding.
     pub(crate) fn is_smooth_from(&self, contact: usize) -> f64 {
-        let couplings = contact.saturating_sub(1)..(contact + 1).min(self.contacts() - 1);
-        self.last_panel(|panel| panel.coupled[couplings.clone()].contains(&true)).max(self.asymptotes[contact].from)
+        let couplings: Vec<usize> = self.shared(contact).collect();
+        self.last_panel(|panel| couplings.iter().any(|pair| panel.coupled[*pair])).max(self.asymptotes[contact].from)
     }
 
     /// The upper end of the last panel with a property.
@@ -338,7 +363,31 @@ impl Kernel {
         Some(self.panels.get(self.panels.partition_point(|panel| panel.to < zeta))?.at(zeta))
     }
 
-    /// The coupling of the contacts i and i + 1, at one wavenumber.
+    /// How many couplings there are, and which two each of them couples, the upper one first.
+    pub(crate) fn pairs(&self) -> usize {
+        self.chains.order().pairs()
+    }
+
+    pub(crate) fn pair(&self, pair: usize) -> [usize; 2] {
+        self.chains.order().pair(pair)
+    }
+
+    /// What a contact is coupled with, with the numbers of the couplings: the contacts above and below by the laminates between, or all openings.
+    pub(crate) fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
+        self.chains.order().neighbours(contact)
+    }
+
+    /// The couplings that are parts of the response of a contact under equal pressures.
+    pub(crate) fn shared(&self, contact: usize) -> impl Iterator<Item = usize> + use<> {
+        self.chains.order().shared(contact)
+    }
+
+    /// Whether all but the uppermost contact are closed but for openings.
+    pub(crate) fn has_openings(&self) -> bool {
+        self.chains.kind == Kind::Openings
+    }
+
+    /// Coupling i, at one wavenumber.
     pub(crate) fn coupling(&self, i: usize, zeta: f64) -> f64 {
         self.at(zeta).map_or(0.0, |at| at.coupling(i))
     }
@@ -353,12 +402,12 @@ impl Kernel {
         let number = self.panels.partition_point(|panel| panel.to <= from);
         match self.panels.get(number) {
             Some(panel) => panel.values(zeta, [from, to], values),
-            None => values.clear(self.contacts(), zeta.len()),
+            None => values.clear(self.chains.order(), zeta.len()),
         }
         let far = |i: &usize| number == self.panels.len() || from >= self.asymptotes[*i].from;
         for i in (0..self.contacts()).filter(far) {
             let asymptotic = zeta.iter().map(|zeta| self.asymptotes[i].limit + self.asymptotes[i].remainder(*zeta));
-            values.set_far(i, asymptotic);
+            values.set_far(self.chains.order(), i, asymptotic);
         }
     }
 
@@ -367,9 +416,8 @@ impl Kernel {
         match at {
             Some(at) if at.panel.from < asymptote.from => at.equal_pressure(contact) - asymptote.limit,
             Some(at) => {
-                let above = contact.checked_sub(1).map_or(0.0, |above| at.coupling(above));
-                let below = if contact + 1 < self.contacts() { at.coupling(contact) } else { 0.0 };
-                asymptote.remainder(zeta) + above + below
+                let couplings: f64 = self.shared(contact).map(|pair| at.coupling(pair)).sum();
+                asymptote.remainder(zeta) + couplings
             }
             None => asymptote.remainder(zeta),
         }

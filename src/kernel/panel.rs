@@ -7,6 +7,7 @@ use crate::numeric::{chebyshev, dot, quadrature};
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
+use super::components::Components;
 use super::{Asymptote, Chains, Sample};
 
 /// Gauss points per panel.
@@ -38,20 +39,10 @@ pub(crate) struct Panel {
     pub(crate) remainders: Vec<f64>,
     /// Bounds on the couplings.
     pub(crate) couplings: Vec<f64>,
-    contacts: usize,
+    order: Components,
 }
 
-/// Powers of ζ that make the components finite at ζ = 0: long waves bend free laminates, λC ~ λ⁻³, or λC ~ λ⁻¹ under equal
-/// loads.
-fn powers(contacts: usize, component: usize) -> i32 {
-    match component / contacts {
-        _ if contacts == 1 || component == 3 * contacts - 1 => 0,
-        1 => 1,
-        _ => 3,
-    }
-}
-
-/// ζ to one of these powers.
+/// ζ to one of the powers of components.
 fn power(zeta: f64, power: i32) -> f64 {
     match power {
         0 => 1.0,
@@ -97,25 +88,26 @@ pub(super) fn resolve(
 
 /// Whether components of given sizes, with given values on a panel [from, to], are resolved; laminates may be `bent`.
 fn resolved(
+    order: Components,
     bent: &[bool],
     [from, to]: [f64; 2],
     size: impl Fn(usize) -> f64,
     values: impl Fn(usize) -> [f64; POINTS],
 ) -> bool {
-    let n = bent.len() + 1;
+    let n = order.contacts;
     // the equal-pressure response has the rounding error of the bending of the laminates above and below, over 1 + ζ²
     let cancelled = |i: usize| {
-        let laminates = (i.saturating_sub(1)..(i + 1).min(n - 1)).filter(|laminate| bent[*laminate]);
-        laminates.map(|laminate| size(2 * n + laminate)).fold(0.0, f64::max) / (1.0 + to * to)
+        let laminates = order.shared(i).filter(|laminate| bent[*laminate]);
+        laminates.map(|laminate| size(order.coupling(laminate))).fold(0.0, f64::max) / (1.0 + to * to)
     };
     // a coupling need be as accurate as the diagonals and equal-pressure responses of its contacts only
-    let coupled = |i: usize| size(i).min(from * from * size(n + i));
-    (0..3 * n - 1).all(|c| {
+    let coupled = |i: usize| size(i).min(from * from * size(order.equal(i)));
+    (0..order.squeezed()).all(|c| {
         let size = size(c);
         let scale = match c / n {
             0 => size,
             1 => size.max(cancelled(c - n)),
-            _ => size.max(coupled(c - 2 * n)).max(coupled(c - 2 * n + 1)),
+            _ => order.pair(c - 2 * n).into_iter().fold(size, |most, i| most.max(coupled(i))),
         };
         size == 0.0 || chebyshev::legendre_tail(&values(c)) * size <= RESOLVED * scale
     })
@@ -123,24 +115,25 @@ fn resolved(
 
 impl Panel {
     fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], stats: &mut Stats) -> Result<Self, Unresolved> {
-        let contacts = chains.contacts();
-        let mut sample = Sample::new(contacts);
+        let order = chains.order();
+        let mut sample = Sample::new(order);
         let mut values = vec![[0.0; POINTS]; sample.components.len()];
         for (k, x) in quadrature::rule(POINTS).nodes.iter().enumerate() {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
             chains.sample(zeta, wanted, &mut sample, stats)?;
             for (c, value) in sample.components.iter().enumerate() {
-                values[c][k] = value * power(zeta, powers(contacts, c));
+                values[c][k] = value * power(zeta, order.power(c));
             }
         }
         let (coupled, remainders, couplings) = Default::default();
         let bent = sample.bent;
-        let mut panel = Self { from, to, values, bent, coupled, remainders, couplings, contacts };
-        panel.coupled = (0..contacts - 1)
-            .map(|i| {
+        let mut panel = Self { from, to, values, bent, coupled, remainders, couplings, order };
+        panel.coupled = (0..order.pairs())
+            .map(|pair| {
                 // negligible next to bending by one pressure, and next to bending by equal pressures, ζ² times smaller
-                let least = |i: usize| panel.size(i).min(from * from * panel.size(contacts + i));
-                panel.size(2 * contacts + i) > NEGLIGIBLE * least(i).min(least(i + 1))
+                let least = |i: usize| panel.size(i).min(from * from * panel.size(order.equal(i)));
+                panel.size(order.coupling(pair))
+                    > NEGLIGIBLE * order.pair(pair).map(least).into_iter().fold(f64::INFINITY, f64::min)
             })
             .collect();
         Ok(panel)
@@ -160,13 +153,13 @@ impl Panel {
             })
         };
         let bent: Vec<bool> = self.bent.iter().zip(&next.bent).map(|(one, other)| *one || *other).collect();
-        resolved(&bent, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
+        resolved(self.order, &bent, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
     }
 
     /// Adds a constant flexibility to contact 0.
     pub(super) fn add_to_first(&mut self, flexibility: f64) {
-        for component in [0, self.contacts, 3 * self.contacts - 1] {
-            let exponent = powers(self.contacts, component);
+        for component in [0, self.order.equal(0), self.order.squeezed()] {
+            let exponent = self.order.power(component);
             for ((zeta, _), value) in quadrature::rule(POINTS).on(self.from, self.to).zip(&mut self.values[component]) {
                 *value += flexibility * power(zeta, exponent);
             }
@@ -178,12 +171,12 @@ impl Panel {
     }
 
     fn is_resolved(&self) -> bool {
-        resolved(&self.bent, [self.from, self.to], |c| self.size(c), |c| self.values[c])
+        resolved(self.order, &self.bent, [self.from, self.to], |c| self.size(c), |c| self.values[c])
     }
 
     /// The Gauss points, and a component there.
     fn samples(&self, component: usize) -> impl Iterator<Item = (f64, f64)> {
-        let exponent = powers(self.contacts, component);
+        let exponent = self.order.power(component);
         let nodes = quadrature::rule(POINTS).on(self.from, self.to);
         nodes.zip(&self.values[component]).map(move |((zeta, _), value)| (zeta, value / power(zeta, exponent)))
     }
@@ -200,14 +193,14 @@ impl Panel {
 
     /// Bounds the remainders and the couplings, once the asymptotes are known.
     pub(super) fn measure(&mut self, asymptotes: &[Asymptote]) {
-        let n = self.contacts;
-        let coupling = |i: usize| if self.coupled[i] { self.largest(2 * n + i, 0.0) } else { 0.0 };
-        self.couplings = (0..n - 1).map(coupling).collect();
+        let order = self.order;
+        let coupling = |pair: usize| if self.coupled[pair] { self.largest(order.coupling(pair), 0.0) } else { 0.0 };
+        self.couplings = (0..order.pairs()).map(coupling).collect();
         let remainder = |(i, asymptote): (usize, &Asymptote)| {
             if self.from < asymptote.from {
-                self.largest(n + i, asymptote.limit)
+                self.largest(order.equal(i), asymptote.limit)
             } else {
-                self.couplings[i.saturating_sub(1)..(i + 1).min(n - 1)].iter().sum()
+                order.shared(i).map(|pair| self.couplings[pair]).sum()
             }
         };
         self.remainders = asymptotes.iter().enumerate().map(remainder).collect();
@@ -234,19 +227,20 @@ impl Panel {
     /// Equal-pressure responses, couplings and the sum of the former at the wavenumbers `zeta`, the points of a Gauss rule on [from, to], which is
     /// the panel or a part of it, to be written over others.
     pub(crate) fn values(&self, zeta: &[f64], [from, to]: [f64; 2], all: &mut Values) {
-        let (n, count) = (self.contacts, zeta.len());
+        let (order, count) = (self.order, zeta.len());
         let columns = if from == self.from && to == self.to {
             Cow::Borrowed(chebyshev::panel_matrix(count))
         } else {
             let places: Vec<f64> = zeta.iter().map(|zeta| self.place(*zeta)).collect();
             Cow::Owned(chebyshev::panel_columns(&places))
         };
-        all.clear(n, count);
-        for (component, values) in (n..3 * n).zip(all.values.chunks_exact_mut(count)) {
-            if (2 * n..3 * n - 1).contains(&component) && !self.coupled[component - 2 * n] {
+        all.clear(order, count);
+        for (component, values) in (order.contacts..order.count()).zip(all.values.chunks_exact_mut(count)) {
+            let pair = component.checked_sub(order.coupling(0)).filter(|pair| *pair < order.pairs());
+            if pair.is_some_and(|pair| !self.coupled[pair]) {
                 continue;
             }
-            let exponent = powers(n, component);
+            let exponent = order.power(component);
             vectorised(
                 #[inline(always)]
                 || {
@@ -273,31 +267,31 @@ impl Panel {
 pub(crate) struct Values {
     count: usize,
     contacts: usize,
+    pairs: usize,
     values: Vec<f64>,
 }
 
 impl Values {
     /// No couplings, and nothing else yet.
-    pub(super) fn clear(&mut self, contacts: usize, count: usize) {
-        (self.count, self.contacts) = (count, contacts);
+    pub(super) fn clear(&mut self, order: Components, count: usize) {
+        (self.count, self.contacts, self.pairs) = (count, order.contacts, order.pairs());
         self.values.clear();
-        self.values.resize(count * 2 * contacts, 0.0);
+        self.values.resize(count * (order.contacts + order.pairs() + 1), 0.0);
     }
 
-    /// Puts the short-wave asymptote, and couplings to both sides, in place of the equal-pressure response of contact `i`.
-    pub(super) fn set_far(&mut self, i: usize, asymptotic: impl Iterator<Item = f64>) {
+    /// Puts the short-wave asymptote, and the couplings that are parts of it, in place of the equal-pressure response of contact `i`.
+    pub(super) fn set_far(&mut self, order: Components, i: usize, asymptotic: impl Iterator<Item = f64>) {
         let (count, contacts) = (self.count, self.contacts);
         let (equal, rest) = self.values.split_at_mut(contacts * count);
         for (k, asymptotic) in asymptotic.enumerate() {
-            let laminates = i.saturating_sub(1)..(i + 1).min(contacts - 1);
-            let value = asymptotic + laminates.map(|laminate| rest[laminate * count + k]).sum::<f64>();
-            rest[(contacts - 1) * count + k] += value - std::mem::replace(&mut equal[i * count + k], value);
+            let value = asymptotic + order.shared(i).map(|pair| rest[pair * count + k]).sum::<f64>();
+            rest[self.pairs * count + k] += value - std::mem::replace(&mut equal[i * count + k], value);
         }
     }
 
     /// The sum of all equal-pressure responses.
     pub(crate) fn squeezed(&self) -> &[f64] {
-        self.coupling(self.contacts - 1)
+        self.coupling(self.pairs)
     }
 
     /// The equal-pressure response of contact `i`.
@@ -320,17 +314,17 @@ pub(super) struct At<'a> {
 
 impl At<'_> {
     fn component(&self, component: usize) -> f64 {
-        dot(&self.row, &self.panel.values[component]) / power(self.zeta, powers(self.panel.contacts, component))
+        dot(&self.row, &self.panel.values[component]) / power(self.zeta, self.panel.order.power(component))
     }
 
     /// The equal-pressure response of contact `i`.
     pub(super) fn equal_pressure(&self, i: usize) -> f64 {
-        self.component(self.panel.contacts + i)
+        self.component(self.panel.order.equal(i))
     }
 
     /// The coupling of the contacts `i` and `i + 1`, 0 where it vanishes.
     pub(super) fn coupling(&self, i: usize) -> f64 {
-        if self.panel.coupled[i] { self.component(2 * self.panel.contacts + i) } else { 0.0 }
+        if self.panel.coupled[i] { self.component(self.panel.order.coupling(i)) } else { 0.0 }
     }
 }
 

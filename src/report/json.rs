@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use super::{Report, extremes};
 use crate::approach::{Approach, ApproachError, Stiffness};
 use crate::scene::{Dimension, visible_json};
-use crate::solution::{Carried, Contact, Warning};
+use crate::solution::{Carried, ClosedInterface, Contact, Warning};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, .. } = report;
@@ -15,7 +15,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
             [Dimension::LENGTH, scene.force_dimension(), Dimension::STRESS].map(|dimension| units.symbol(dimension));
         json!({"length": length, "force": force, "stress": stress})
     });
-    let contacts: Vec<Value> = report.contacts().iter().map(|(name, own)| contact(name, own)).collect();
+    let contacts = report.contacts();
+    let contacts = contacts.iter().map(|(name, own)| contact(name, own)).chain(solution.closed().iter().map(closed));
+    let contacts: Vec<Value> = contacts.collect();
     let of_each = |k: usize| report.approaches.get(k).and_then(|found| found.as_ref().ok());
     let punch = |(k, carried): (usize, &Carried)| {
         let approach = json!({
@@ -31,6 +33,13 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         (!punches.is_empty()).then(|| json!({"punches": punches})),
         (!solution.is_even()).then(|| json!({"rotations": solution.rotations()})),
         Some(json!({"force": solution.force(), "force_error": solution.force_error()})),
+        report.separation.map(|own| {
+            json!({
+                "critical_force": own.critical_force,
+                "critical_force_error": own.critical_force_error,
+                "first_separation": {"x": own.x, "interface": own.interface},
+            })
+        }),
         match report.approaches {
             [] => None,
             [one] => Some(approach(one)),
@@ -75,6 +84,14 @@ fn contact(name: &str, contact: &Contact) -> Value {
         "resultant": contact.resultant,
         "intervals": contact.intervals(),
     })
+}
+
+/// An interface that weights keep closed has openings in place of intervals.
+fn closed(own: &ClosedInterface) -> Value {
+    joined([
+        json!({"half_length": null, "half_length_error": null, "intervals": null, "closed": own.openings.is_empty()}),
+        json!(own),
+    ])
 }
 
 /// `null` where there is none, for a reason.

@@ -18,7 +18,7 @@ use crate::approach::{Approach, ApproachError};
 use crate::collocation::Collocated;
 use crate::field::{Extremes, MaxShear};
 use crate::scene::{Dimension, Scene, Units};
-use crate::solution::{Contact, Solution};
+use crate::solution::{Contact, Separation, Solution};
 
 #[cfg(feature = "parquet")]
 pub use parquet::SweepParquet;
@@ -49,7 +49,7 @@ pub enum Format {
 /// use recede::{Scene, report::{Format, Report}};
 /// let scene = Scene::read("examples/scenes/hertz.ron")?;
 /// let solution = recede::solve(&scene)?;
-/// let report = Report { scene: &scene, solution: &solution, approaches: &[], max_shear: None, extremes: None,
+/// let report = Report { scene: &scene, solution: &solution, separation: None, approaches: &[], max_shear: None, extremes: None,
 ///     collocated: None, digits: None, seconds: 0.0 };
 /// report.write(Format::Csv, &mut std::io::stdout())?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -60,6 +60,8 @@ pub struct Report<'a> {
     pub scene: &'a Scene,
     /// Its solution.
     pub solution: &'a Solution,
+    /// When layers that weights press together come apart, if there are any: see [`crate::Model::separation`].
+    pub separation: Option<Separation>,
     /// The approach of each punch and the stiffness, none if they were not requested: see [`crate::Model::approaches`].
     pub approaches: &'a [Result<Approach, ApproachError>],
     /// The largest shear stress, if it was requested: see [`crate::Field::max_shear`].

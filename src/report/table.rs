@@ -11,7 +11,7 @@ use crate::collocation::Collocated;
 use crate::field::MaxShear;
 use crate::geometry::Words;
 use crate::scene::{Dimension, visible};
-use crate::solution::{Carried, Interval, Stats};
+use crate::solution::{Carried, Interval, Opening, Separation, Stats};
 
 pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> {
     let Report { scene, solution, approaches, max_shear, digits, seconds, .. } = report;
@@ -28,6 +28,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
 
     writeln!(out, "{}", contacts(report, [length, stress, line_load]))?;
     notes(report, [length, stress, line_load], out)?;
+    closed(report, [length, stress, line_load], out)?;
     for Collocated { interface, residual, pressure_difference, nodes } in report.collocated.unwrap_or_default() {
         let [residual, off] = [residual.abs(), *pressure_difference].map(|number| format!("{number:.0e}"));
         writeln!(out, "{interface} by collocation with {nodes} nodes: residual {residual}, pressures differ by {off}")?;
@@ -129,6 +130,34 @@ fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn 
             out,
             "infinite: under a {concentrated}, and next to a sharp tip, where it grows like the logarithm of 1/{distance}"
         )?;
+    }
+    Ok(())
+}
+
+/// Interfaces that weights keep closed, but for openings, and when the first of them opens.
+fn closed(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn io::Write) -> io::Result<()> {
+    let (digits, words) = (Digits(report.digits), report.scene.geometry.words());
+    let is_even = report.solution.is_even();
+    let along = if is_even { words.distance } else { words.along };
+    for own in report.solution.closed() {
+        let central = digits.with_error(own.central_pressure, own.central_pressure_error) + stress;
+        writeln!(out, "{}: pressure {central} at {} = 0", own.interface, words.along)?;
+        for Opening { left, right, left_error, right_error, largest_gap, largest_gap_at } in &own.openings {
+            let (from, to) = (digits.with_error(*left, *left_error), digits.with_error(*right, *right_error) + length);
+            let [gap, at] = [largest_gap, largest_gap_at].map(|number| to_digits(*number, 6) + length);
+            writeln!(out, "{}: open from {} = {from} to {to}, largest gap {gap} at {at}", own.interface, words.along)?;
+        }
+        let least = [own.smallest_pressure, own.smallest_at].map(|number| to_digits(number, 6));
+        let closed = if own.openings.is_empty() { "closed everywhere" } else { "closed elsewhere" };
+        writeln!(
+            out,
+            "{}: {closed}, smallest pressure {}{stress} at {along} = {}{length}",
+            own.interface, least[0], least[1]
+        )?;
+    }
+    if let Some(Separation { critical_force, critical_force_error, interface, x }) = &report.separation {
+        let force = digits.with_error(*critical_force, *critical_force_error) + line_load;
+        writeln!(out, "{interface} begins to open at {along} = {}{length} under the force {force}", to_digits(*x, 6))?;
     }
     Ok(())
 }

@@ -58,6 +58,7 @@ pub(crate) use units::Dimension;
 
 use crate::geometry::Geometry;
 use origin::Origin;
+use read::PRESSURE_ON_TOP;
 use read_top::tops;
 
 /// Largest scene text that is read, in bytes.
@@ -101,6 +102,8 @@ pub struct Scene {
     /// Line load P > 0 pressing the punch down, or the resultant of the loads: force per unit length out of plane, or the half-length that
     /// it makes.
     pub force: Force,
+    /// Pressure everywhere on the top face, also under a punch, in stress; 0 if there is none.
+    pub pressure_on_top: f64,
     /// Layers and the interfaces between them from the top down, ending in a base.
     pub stack: Vec<Item>,
     origin: Option<Arc<Origin>>,
@@ -111,7 +114,17 @@ impl Scene {
     /// [`Model::press_with`](crate::Model::press_with) the force.
     pub fn new(geometry: impl Into<Geometry>, top: impl Into<Top>, force: impl Into<Force>, stack: Vec<Item>) -> Self {
         let (geometry, top, force) = (geometry.into(), top.into(), force.into());
-        Self { name: None, description: None, units: None, geometry, top, force, stack, origin: None }
+        Self {
+            name: None,
+            description: None,
+            units: None,
+            geometry,
+            top,
+            force,
+            pressure_on_top: 0.0,
+            stack,
+            origin: None,
+        }
     }
 
     /// The file from which the scene was read, as it is called in messages; `None` if it was not read from a text.
@@ -139,6 +152,7 @@ impl Scene {
         match part {
             Owner::Force => tree.field(self.force.field()),
             Owner::Top => tops(tree).next().map(|(_, node)| node),
+            Owner::PressureOnTop => tree.field(PRESSURE_ON_TOP),
             Owner::Stack => tree.field("stack"),
             Owner::Item(index) => tree.field("stack")?.members().get(index),
         }

@@ -4,11 +4,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use recede_layers::Pressing;
 use recede_layers::tree::{Kind, Node};
 
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
-use super::read::{THE_SCENE, force_of, read_item};
+use super::read::{Draft, PRESSURE_ON_TOP, THE_SCENE, force_of, read_item};
 use super::read_top::{only_top, read_top, tops};
 use super::{Scene, quoted_list};
 
@@ -31,6 +32,8 @@ pub(crate) enum Owner {
     Force,
     /// The punches, or the loads in their place.
     Top,
+    /// The pressure everywhere on the top face.
+    PressureOnTop,
     /// The stack as a whole, which is no quantity.
     Stack,
     /// The item of the stack with this index.
@@ -117,6 +120,11 @@ impl Scene {
                     continue;
                 }
                 Owner::Top => scene.top = read_top(name, top, self.geometry, origin)?,
+                Owner::PressureOnTop => {
+                    let draft: Draft = origin.read(&origin.tree, THE_SCENE)?;
+                    scene.pressure_on_top = draft.pressure_on_top.map_or(0.0, Pressing::get);
+                    continue;
+                }
                 Owner::Force | Owner::Stack => {}
             }
             // punches and loads in a list have forces of their own
@@ -132,6 +140,7 @@ impl Scene {
             self.node(owner).into_iter().for_each(|node| add(name, owner, node, &mut slots));
         };
         add(self.force.field(), Owner::Force);
+        add(PRESSURE_ON_TOP, Owner::PressureOnTop);
         let top = self.origin.iter().find_map(|origin| tops(&origin.tree).next());
         add(top.map_or("", |(name, _)| name), Owner::Top);
         let mut number = 0;

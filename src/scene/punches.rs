@@ -250,6 +250,13 @@ impl Punches {
         Self(self.0.iter().zip(forces).map(of).collect())
     }
 
+    /// The same punches with forces that are given, whatever they were pressed by.
+    pub(crate) fn given(&self, forces: impl Iterator<Item = f64>) -> Self {
+        let mut all = self.with_forces(forces);
+        all.0.iter_mut().for_each(|pressed| pressed.prescribed = None);
+        all
+    }
+
     /// The punch, if it is an even one by itself that is not turned, wherever its tip is.
     pub(crate) fn even(&self) -> Option<&Punch> {
         match &self.0[..] {

@@ -9,7 +9,7 @@ use std::{fs::File, path::Path};
 
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Kind, Node, token};
-use recede_layers::{Finite, Positive, Registry, Strained, described};
+use recede_layers::{Finite, Loaded, Positive, Pressing, Registry, described};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
@@ -23,8 +23,18 @@ use super::units::without_units;
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
 use crate::geometry::Geometry;
 
-/// The field that any layer may have besides its own.
-pub(super) const EIGENSTRAIN: &str = "eigenstrain";
+/// The fields that any layer with a thickness may have besides its own.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OwnLoads {
+    /// The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
+    eigenstrain: Option<Finite>,
+    /// The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is not given.
+    specific_weight: Option<Pressing>,
+}
+
+/// The field of the pressure on top.
+pub(super) const PRESSURE_ON_TOP: &str = "pressure_on_top";
 
 /// The name of a scene in messages.
 pub(super) const THE_SCENE: &str = "the scene";
@@ -61,6 +71,8 @@ pub(super) struct Draft {
     half_length: Option<Positive>,
     /// In place of the force: how far the punch sinks, for which the force is found; in length. In plane scenes the base has to be rigid, or springs.
     depth: Option<Positive>,
+    /// Pressure everywhere on the top face, also under a punch; 0 if it is not given.
+    pub(super) pressure_on_top: Option<Pressing>,
     /// Layers and the interfaces between them from the top down, ending in a base.
     #[schemars(with = "StackForm")]
     stack: IgnoredAny,
@@ -219,8 +231,9 @@ fn read_scene(own: Origin) -> Result<Scene, SceneError> {
         read_item(node, number, draft.geometry, origin).inspect(|item| number += usize::from(!item.is_interface()))
     };
     let stack = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let Draft { name, description, units, geometry, .. } = draft;
-    Ok(Scene { name, description, units, geometry, top, force, stack, origin: Some(Arc::new(own)) })
+    let Draft { name, description, units, geometry, pressure_on_top, .. } = draft;
+    let (pressure_on_top, origin) = (pressure_on_top.map_or(0.0, Pressing::get), Some(Arc::new(own)));
+    Ok(Scene { name, description, units, geometry, top, force, pressure_on_top, stack, origin })
 }
 
 /// The force, or the half-length or depth that it is found for, beside what presses, which stands in this field.
@@ -280,20 +293,28 @@ pub(super) fn read_item(item: &Node, number: usize, geometry: Geometry, origin: 
         return Err(origin.error_at(item, message).hinted(instead_of(name, &names())));
     };
     let owner = format!("layer {number} ({name})");
-    // any layer may have an eigenstrain, of which its own type knows nothing
-    let (mut own, mut eigenstrain) = (item.clone(), None);
+    // of these no type of layers knows
+    let (mut own, mut loads) = (item.clone(), Vec::new());
     if let Kind::Fields(fields) = &mut own.kind {
-        let found = fields.iter().position(|field| &*field.name == EIGENSTRAIN);
-        eigenstrain = found.map(|found| fields.remove(found).value);
+        loads = fields.extract_if(.., |field| ["eigenstrain", "specific_weight"].contains(&&*field.name)).collect();
     }
     let read = (entry.read)(&own).map(Item::of);
     let read = read.map_err(|error| origin.explained(item, &owner, entry.describe().as_ref(), error))?;
-    let Some(node) = eigenstrain else { return Ok(read) };
-    let strain: Finite = origin.read(&node, &format!("the eigenstrain of {owner}"))?;
-    match read {
-        Item::Layer(layer) if layer.thickness().is_some() => Ok(Item::layer(Strained::of(layer, strain.get()))),
-        _ => Err(origin.error_at(&node, format!("{owner} is a base, and has no eigenstrain"))),
+    let Some(first) = loads.first().map(|field| field.value.clone()) else { return Ok(read) };
+    let Item::Layer(layer) = &read else { return Err(no_loads(&first, &owner, origin)) };
+    if layer.thickness().is_none() {
+        return Err(no_loads(&first, &owner, origin));
     }
+    own.kind = Kind::Fields(loads);
+    let read = own.read_inner::<OwnLoads>();
+    let loads = read.map_err(|error| origin.explained(item, &owner, Some(&Value::of::<OwnLoads>()), error))?;
+    let loaded = Loaded::of(layer.clone()).with_eigenstrain(loads.eigenstrain.map_or(0.0, Finite::get));
+    Ok(Item::layer(loaded.with_specific_weight(loads.specific_weight.map_or(0.0, Pressing::get))))
+}
+
+/// The error that a base has an eigenstrain or a weight.
+fn no_loads(node: &Node, owner: &str, origin: &Origin) -> SceneError {
+    origin.error_at(node, format!("{owner} is a base, and has neither an eigenstrain nor a weight"))
 }
 
 /// The fields of a receding interface.

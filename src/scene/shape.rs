@@ -255,6 +255,11 @@ impl Shape<'_> {
     }
 
     /// Whether the profile is analytic, also at its tip.
+    /// Whether it is a parabola, or flat all along.
+    pub(crate) fn is_parabola(&self) -> bool {
+        matches!(self, Self::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
+    }
+
     pub(crate) fn is_smooth(&self) -> bool {
         match self {
             Self::Powers { terms, .. } => terms.iter().all(|(exponent, _)| exponent % 2.0 == 0.0),

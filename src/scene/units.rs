@@ -37,10 +37,10 @@ impl Dimension {
         Some(match name {
             "thickness" | "radius" | "half_width" | "half_length" | "depth" | "height" | "heights" | "length"
             | "centre" | "width" | "at" | "eccentricity" => Self::LENGTH,
-            "shear_modulus" | "young" => Self::STRESS,
+            "shear_modulus" | "young" | "pressure_on_top" => Self::STRESS,
             "force" => Self::LINE_LOAD,
             "beta" => Self::PER_LENGTH,
-            "stiffness" | "shear_stiffness" | "normal" | "tangential" => Self::STRESS_PER_LENGTH,
+            "stiffness" | "shear_stiffness" | "normal" | "tangential" | "specific_weight" => Self::STRESS_PER_LENGTH,
             "half_angle" | "tilt" => Self::ANGLE,
             "poisson" | "poisson_profile" | "exponent" | "slope" => Self::NUMBER,
             _ => return None,

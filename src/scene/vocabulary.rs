@@ -1,10 +1,10 @@
 //! All that may be written in a scene, from the definitions that read it.
+use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value, schema_of, without_ranges};
-use recede_layers::{Finite, Registry};
 use serde_json::{Value as Json, json};
 
 use super::item::RECEDING;
-use super::read::{Draft, EIGENSTRAIN, Receding};
+use super::read::{Draft, OwnLoads, Receding};
 use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch, Spring};
@@ -98,10 +98,9 @@ pub fn scene_schema(registry: &Registry) -> Json {
     let layers = registry.iter().map(|entry| {
         let mut fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
         if fields["properties"].get(THICKNESS).is_some() {
-            fields["properties"][EIGENSTRAIN] = schema_of::<Finite>().to_value();
-            fields["properties"][EIGENSTRAIN]["description"] =
-                "The strain that the layer would have in all directions if nothing held it; 0 if it is not given."
-                    .into();
+            if let Json::Object(loads) = schema_of::<OwnLoads>().to_value()["properties"].take() {
+                loads.into_iter().for_each(|(name, load)| fields["properties"][name] = load);
+            }
         }
         item(entry.name, entry.summary, fields)
     });

@@ -42,6 +42,9 @@ impl Scene {
                 self.force.number().iter().for_each(|number| field(self.force.field(), format!("{number:?}")));
             }
         }
+        if self.pressure_on_top != 0.0 {
+            let _ = writeln!(text, "    pressure_on_top: {:?},", self.pressure_on_top);
+        }
         text += "    stack: [\n";
         for item in &self.stack {
             let _ = writeln!(text, "        {},", item.written(self.geometry));

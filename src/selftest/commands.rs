@@ -56,6 +56,7 @@ fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> 
     let report = Report {
         scene,
         solution,
+        separation: model.separation(&scene.top, solution).map_err(|error| error.to_string())?,
         approaches: &approaches,
         // it is infinite under a line load, at corners, and under some tips
         max_shear: Some(max_shear).filter(|found| found.value.is_finite()),

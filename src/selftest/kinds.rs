@@ -1,8 +1,8 @@
 //! Random scenes with punches, loads, layers, interfaces and bases of all kinds, and with several punches at once.
 use proptest::prelude::*;
 use recede_layers::{
-    EngineeringConstants, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Orthotropic, Plane, PowerHalfPlane, Profile,
-    Strained, Winkler,
+    EngineeringConstants, Graded, GradedHalfPlane, HalfPlane, Homogeneous, Loaded, Orthotropic, Plane, PowerHalfPlane,
+    Profile, Winkler,
 };
 
 use super::scenario::{Ply, Scenario};
@@ -164,7 +164,7 @@ impl Kinds {
                 if let (Item::Layer(layer), 2) = (&*item, kind)
                     && layer.thickness().is_some()
                 {
-                    *item = Item::layer(Strained::of(layer.clone(), 1e-3 * power));
+                    *item = Item::layer(Loaded::of(layer.clone()).with_eigenstrain(1e-3 * power));
                 }
             }
         }

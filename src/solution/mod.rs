@@ -1,4 +1,5 @@
 //! What a solved scene tells.
+mod closed;
 mod contact;
 mod controlled;
 mod ledger;
@@ -12,6 +13,7 @@ use std::sync::Arc;
 
 use serde::{Serialize, Serializer};
 
+pub use closed::{ClosedInterface, Opening, Separation};
 pub use contact::{Contact, Interval};
 pub use controlled::Controlled;
 pub use ledger::{Ledger, LedgerEntry};
@@ -136,6 +138,8 @@ pub struct Solution {
     /// The stack that it belongs to, which [`crate::Model`] sets and compares.
     pub(crate) stack: Option<OwnerKey>,
     pub(crate) contacts: Vec<Contact>,
+    /// Interfaces that weights keep closed.
+    pub(crate) closed: Vec<ClosedInterface>,
     pub(crate) force: f64,
     pub(crate) force_error: f64,
     /// What was prescribed in place of the force.
@@ -200,6 +204,11 @@ impl Solution {
     /// The contacts from the top down: the punch first.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// The interfaces that weights, or a pressure on top, keep closed but for openings, from the top down; they are no contacts.
+    pub fn closed(&self) -> &[ClosedInterface] {
+        &self.closed
     }
 
     /// The place on x about which all contacts are their own mirror images, if there is one.

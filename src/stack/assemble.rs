@@ -2,6 +2,7 @@
 use std::sync::Arc;
 
 use super::contrast;
+use super::weight::weight;
 use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed, Stack, StackError, StackProblem};
 
 use crate::geometry::Geometry;
@@ -66,6 +67,18 @@ impl Stack {
     /// [`StackError`] if the items do not alternate between layers and interfaces, do not end in a base, or have a
     /// base elsewhere; if nothing in the stack can deform.
     pub fn from_items(geometry: impl Into<Geometry>, items: &[Item]) -> Result<Self, StackError> {
+        Self::from_items_under(geometry, 0.0, items)
+    }
+
+    /// The same under a pressure everywhere on the top face, in stress.
+    ///
+    /// # Errors
+    /// As [`Self::from_items`], and if the pressure or the weight of a layer pulls.
+    pub fn from_items_under(
+        geometry: impl Into<Geometry>,
+        pressure_on_top: f64,
+        items: &[Item],
+    ) -> Result<Self, StackError> {
         check_order(items)?;
         let mut groups = Groups::default();
         let mut foundation = None;
@@ -103,12 +116,16 @@ impl Stack {
         }
         groups.begin_next();
         // where there are items, `check_order` has found a base
-        finish(geometry.into(), groups, foundation.ok_or(StackError::whole(StackProblem::Empty))?)
+        finish((geometry.into(), pressure_on_top), groups, foundation.ok_or(StackError::whole(StackProblem::Empty))?)
     }
 }
 
 /// The stack of these groups, within the limits.
-fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<Stack, StackError> {
+fn finish(
+    (geometry, pressure_on_top): (Geometry, f64),
+    groups: Groups,
+    foundation: Foundation,
+) -> Result<Stack, StackError> {
     let Groups { finished: laminates, open: joined, dropped, .. } = groups;
     if let (Foundation::Rigid { number }, true, true) = (&foundation, laminates.is_empty(), joined.layers.is_empty()) {
         return Err(StackError::of_layer(*number, StackProblem::NothingElastic));
@@ -124,14 +141,23 @@ fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<
     if laminates.len() > MAX_RECEDING {
         return Err(StackError::whole(StackProblem::TooManyReceding(laminates.len())));
     }
-    let stack = Stack { geometry, laminates, base: Base { joined, foundation }, dropped };
+    let stack = Stack { geometry, pressure_on_top, laminates, base: Base { joined, foundation }, dropped };
     if !stack.total_thickness().is_finite() {
         return Err(StackError::whole(StackProblem::TooThick));
     }
     if geometry.is_axisymmetric() {
         check_all_around(&stack)?;
     }
+    check_weights(&stack)?;
+    let pressed = stack.contacts().split_off(1 + stack.loose());
     for (interface, gap) in stack.gaps().0 {
+        if pressed.contains(&interface) {
+            // what is curved evenly is pressed flat
+            if gap.punch.as_ref().is_some_and(|gap| !gap.shape().is_parabola()) {
+                return Err(StackError::whole(StackProblem::GapUnderWeight { interface }));
+            }
+            continue;
+        }
         let gap = (gap.is_unknown() || gap.shape().falls()).then_some(gap);
         if let Some(gap) = gap {
             let is_unknown = gap.is_unknown();
@@ -140,6 +166,21 @@ fn finish(geometry: Geometry, groups: Groups, foundation: Foundation) -> Result<
     }
     contrast::check(&stack, None)?;
     Ok(stack)
+}
+
+/// Weights and the pressure on top press.
+fn check_weights(stack: &Stack) -> Result<(), StackError> {
+    let pressure = stack.pressure_on_top;
+    if !(pressure >= 0.0 && pressure.is_finite()) {
+        return Err(StackError::whole(StackProblem::PressureOnTop(pressure)));
+    }
+    for placed in stack.groups().flat_map(|group| group.layers()) {
+        let found = placed.layer.specific_weight();
+        if !(found >= 0.0 && weight(placed).is_finite()) {
+            return Err(StackError::of_layer(placed.number, StackProblem::Weight { layer: placed.name(), found }));
+        }
+    }
+    Ok(())
 }
 
 /// Layers and interfaces alternate, from a layer to a base, which is the only one.

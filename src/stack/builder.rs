@@ -12,13 +12,14 @@ use crate::scene::{Item, Punch, Spring};
 #[must_use = "a builder does nothing until `build`"]
 pub struct StackBuilder {
     geometry: Geometry,
+    pressure_on_top: f64,
     items: Vec<Item>,
 }
 
 impl Stack {
     /// Begins a stack, to be described from the top down.
     pub fn builder(geometry: impl Into<Geometry>) -> StackBuilder {
-        StackBuilder { geometry: geometry.into(), items: Vec::new() }
+        StackBuilder { geometry: geometry.into(), pressure_on_top: 0.0, items: Vec::new() }
     }
 }
 
@@ -27,6 +28,11 @@ impl StackBuilder {
     pub fn item(mut self, item: Item) -> Self {
         self.items.push(item);
         self
+    }
+
+    /// Presses everywhere on the top face, also under a punch, with a pressure ≥ 0, in stress.
+    pub fn pressure_on_top(self, pressure_on_top: f64) -> Self {
+        Self { pressure_on_top, ..self }
     }
 
     /// Adds a layer, or the half-plane at the bottom.
@@ -83,6 +89,6 @@ impl StackBuilder {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn build(self) -> Result<Stack, StackError> {
-        Stack::from_items(self.geometry, &self.items)
+        Stack::from_items_under(self.geometry, self.pressure_on_top, &self.items)
     }
 }

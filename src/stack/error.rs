@@ -68,6 +68,12 @@ impl StackError {
                  face, or under the punch itself, would give way like no elastic body"
             }
             StackProblem::TwoGaps => "write one gap, the sum of both",
+            StackProblem::GapUnderWeight { .. } => {
+                "write `Parabola`, which weight presses flat, or leave out the gap, the weights and `pressure_on_top`"
+            }
+            StackProblem::PressureOnTop(_) | StackProblem::Weight { .. } => {
+                "a stack lies on its base: what hangs is not solved for"
+            }
             StackProblem::Bent { is_unknown: true, .. } => "write `Parabola`, `RoundedFlat` or `Table` in its place",
             StackProblem::Bent { .. } => {
                 "nothing presses the layers together far away: bond them, or give them other eigenstrains"
@@ -100,6 +106,23 @@ pub enum StackProblem {
         curvature: f64,
         /// Whether the shape of the gap cannot be bent.
         is_unknown: bool,
+    },
+    /// A gap that is not a parabola between layers that are pressed together far away.
+    #[error("weight presses the layers at the contact {interface} together, and the gap there is not a parabola")]
+    GapUnderWeight {
+        /// The contact.
+        interface: Interface,
+    },
+    /// A pressure on top that pulls.
+    #[error("the pressure on top is {0:?}; allowed is a finite number >= 0")]
+    PressureOnTop(f64),
+    /// A layer with a weight that pulls.
+    #[error("the specific weight of {layer} is {found:?}; allowed is a finite number >= 0")]
+    Weight {
+        /// The layer.
+        layer: String,
+        /// Its specific weight.
+        found: f64,
     },
     /// Two gaps with nothing but layers of thickness zero between.
     #[error("there are two gaps with no layer between them")]

@@ -10,6 +10,7 @@ use crate::geometry::Geometry;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StackKey {
     geometry: Geometry,
+    pressure_on_top: f64,
     /// The bodies and the joints of each group.
     groups: Vec<(Vec<Numbered>, Vec<Joint>)>,
     gaps: Gaps,
@@ -41,7 +42,7 @@ impl Stack {
     pub(crate) fn key(&self) -> StackKey {
         let bodies = |group: &Group| group.bodies().map(|(number, body)| Numbered(number, body)).collect();
         let groups = self.groups().map(|group| (bodies(&group), group.joints().to_vec())).collect();
-        StackKey { geometry: self.geometry, groups, gaps: self.gaps() }
+        StackKey { geometry: self.geometry, pressure_on_top: self.pressure_on_top, groups, gaps: self.gaps() }
     }
 }
 

@@ -10,6 +10,7 @@ mod joint;
 mod key;
 mod merged;
 mod residual;
+mod weight;
 
 use std::sync::Arc;
 
@@ -19,7 +20,7 @@ pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
 pub(crate) use gaps::Gaps;
 pub use joint::Joint;
-pub(crate) use residual::residual_stress;
+pub(crate) use residual::{ResidualStrain, residual_stress};
 
 use crate::geometry::Geometry;
 use crate::scene::{Gap, Punch};
@@ -58,6 +59,7 @@ pub const MAX_CONTRAST: f64 = 1e15;
 #[derive(Clone, Debug)]
 pub struct Stack {
     geometry: Geometry,
+    pressure_on_top: f64,
     laminates: Vec<Laminate>,
     base: Base,
     dropped: Vec<Placed>,
@@ -221,6 +223,11 @@ impl Stack {
     /// The plane problem whose transformed equations hold.
     pub fn plane(&self) -> Plane {
         self.geometry.plane()
+    }
+
+    /// The pressure everywhere on the top face, also under a punch, in stress; 0 if there is none.
+    pub fn pressure_on_top(&self) -> f64 {
+        self.pressure_on_top
     }
 
     /// The free laminates from the top down; none if everything is joined to the foundation.

@@ -1,11 +1,12 @@
-//! Residual stresses of layers with eigenstrains, and how these bend the laminates.
+//! Stresses of layers with eigenstrains and weights before anything else presses, and how eigenstrains bend the laminates.
 //!
 //! Far from all ends a laminate whose layers would have the strains t along it if they were free is strained by e₀ + κ (d − d_n) at the depth d, so that the stresses w (e₀ + κ (d − d_n) − t)
 //! have neither a resultant nor a moment; w is the modulus of a stretched plate. Layers that slide on each other have resultants of their own, and one moment. What is joined to the base
-//! stays flat, and what is bonded to it is not stretched. Sources: Stoney 1909, Timoshenko 1925.
+//! stays flat, and what is bonded to it is not stretched. A pressure p on the layers counts with the strain that it makes in a free layer. Sources: Stoney 1909, Timoshenko 1925.
 use recede_layers::{Layer, Material};
 
-use super::{Group, Joint, Stack};
+use super::weight::weight;
+use super::{Group, Joint, Placed, Stack};
 use crate::geometry::Geometry;
 use crate::numeric::quadrature::rule;
 
@@ -19,8 +20,17 @@ const ROUNDING: f64 = 1e-13;
 pub(crate) struct Residual {
     /// By how much the slope of each free laminate grows with x, in 1/length: positive if its edges bend up.
     pub(crate) curvatures: Vec<f64>,
-    /// Of each layer, half-planes among them, the strain at its top face, eigenstrain not counted, and what it grows by with the depth.
-    pub(crate) strains: Vec<[f64; 2]>,
+    /// Of each layer, half-planes among them.
+    pub(crate) layers: Vec<ResidualStrain>,
+}
+
+/// How a layer is strained before anything presses but weights.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct ResidualStrain {
+    /// The strain along it at its top face, and what that grows by with the depth.
+    strain: [f64; 2],
+    /// The pressure on its top face, of a pressure on top of the stack and of the weights of layers above.
+    pressure: f64,
 }
 
 /// What layers that are bonded to each other are, in moments about the top of the body: ∫ w dⁿ, and ∫ w t dⁿ.
@@ -31,23 +41,29 @@ struct Moments {
 }
 
 impl Stack {
-    /// The strains of all layers; `None` if no layer has an eigenstrain.
+    /// The strains of all layers; `None` if no layer has an eigenstrain, and nothing presses.
     pub(crate) fn residual(&self) -> Option<Residual> {
-        let is_strained = |group: Group| group.layers().any(|placed| placed.layer.eigenstrain() != 0.0);
-        if !self.groups().any(is_strained) {
+        let is_strained = |placed: &Placed| placed.layer.eigenstrain() != 0.0 || weight(placed) != 0.0;
+        if self.pressure_on_top == 0.0 && !self.groups().any(|group| group.layers().any(is_strained)) {
             return None;
         }
-        let mut residual = Residual::default();
+        let (mut residual, mut pressure) = (Residual::default(), self.pressure_on_top);
         for (i, group) in self.groups().enumerate() {
             let is_free = i < self.laminates.len();
-            residual.curvatures.push(residual_of(&group, is_free, self.geometry, &mut residual.strains));
+            residual.curvatures.push(residual_of(&group, is_free, self.geometry, &mut pressure, &mut residual.layers));
         }
         Some(residual)
     }
 }
 
-/// Adds the strains of the layers of a body, and returns its curvature.
-fn residual_of(group: &Group, is_free: bool, geometry: Geometry, strains: &mut Vec<[f64; 2]>) -> f64 {
+/// Adds the strains of the layers of a body under a pressure, which grows by their weights, and returns its curvature.
+fn residual_of(
+    group: &Group,
+    is_free: bool,
+    geometry: Geometry,
+    pressure: &mut f64,
+    strains: &mut Vec<ResidualStrain>,
+) -> f64 {
     // layers that do not slide on each other
     let mut parts: Vec<(Moments, usize)> = vec![Default::default()];
     let (mut top, mut tops) = (0.0, Vec::new());
@@ -55,9 +71,10 @@ fn residual_of(group: &Group, is_free: bool, geometry: Geometry, strains: &mut V
     for placed in group.layers() {
         if let Some((moments, count)) = parts.last_mut() {
             *count += 1;
-            moments.add(&*placed.layer, top, geometry);
+            moments.add(&*placed.layer, top, *pressure, geometry);
         }
-        tops.push(top);
+        tops.push((top, *pressure));
+        *pressure += weight(placed);
         top += placed.layer.thickness().unwrap_or(0.0);
         if joints.next().is_some_and(slides) {
             parts.push(Default::default());
@@ -73,7 +90,11 @@ fn residual_of(group: &Group, is_free: bool, geometry: Geometry, strains: &mut V
     for (k, (Moments { stiffness: [whole, first, _], free: [resultant, _] }, layers)) in parts.into_iter().enumerate() {
         // what is bonded to the base is not stretched
         let (mean, about) = if !is_free && k + 1 == count { (0.0, 0.0) } else { (resultant / whole, first / whole) };
-        strains.extend(tops.by_ref().take(layers).map(|top| [mean + curvature * (top - about), curvature]));
+        let of = |(top, pressure): (f64, f64)| ResidualStrain {
+            strain: [mean + curvature * (top - about), curvature],
+            pressure,
+        };
+        strains.extend(tops.by_ref().take(layers).map(of));
     }
     curvature
 }
@@ -84,13 +105,15 @@ fn slides(joint: &Joint) -> bool {
 }
 
 impl Moments {
-    fn add(&mut self, layer: &dyn Layer, top: f64, geometry: Geometry) {
+    fn add(&mut self, layer: &dyn Layer, top: f64, pressure: f64, geometry: Geometry) {
         let Some(thickness) = layer.thickness() else { return };
         let mut ends = layer.kinks();
         ends.extend([0.0, thickness]);
         ends.sort_by(f64::total_cmp);
         for (depth, weight) in ends.windows(2).flat_map(|pair| rule(POINTS).on(pair[0], pair[1])) {
-            let [stiffness, free] = stretched(layer, &layer.material(depth, geometry.plane()), geometry);
+            let material = layer.material(depth, geometry.plane());
+            let [stiffness, mut free] = stretched(layer, &material, geometry);
+            free += material.coupling * (pressure + layer.specific_weight() * depth) / stiffness;
             let d = top + depth;
             let own = weight * stiffness;
             self.stiffness.iter_mut().zip([1.0, d, d * d]).for_each(|(sum, power)| *sum += own * power);
@@ -116,20 +139,30 @@ fn stretched(layer: &dyn Layer, material: &Material, geometry: Geometry) -> [f64
     }
 }
 
-/// The residual stresses along a layer, and out of the plane or about the axis, where it is strained so much.
-pub(crate) fn residual_stress(layer: &dyn Layer, material: &Material, geometry: Geometry, strain: f64) -> [f64; 2] {
+/// The stresses along a layer, across it, and out of the plane or about the axis, at a depth where it is strained so much.
+pub(crate) fn residual_stress(
+    layer: &dyn Layer,
+    material: &Material,
+    geometry: Geometry,
+    ResidualStrain { strain: [strain, growth], pressure }: ResidualStrain,
+    depth: f64,
+) -> [f64; 3] {
     let [stiffness, free] = stretched(layer, material, geometry);
-    let along = stiffness * (strain - free);
+    let across = -(pressure + layer.specific_weight() * depth);
+    let along = stiffness * (strain + growth * depth - free) + material.coupling * across;
     let poisson = material.out_of_plane.map_or(f64::NAN, |[along, _]| along);
     let out = match geometry {
-        Geometry::PlaneStrain if layer.eigenstrain() == 0.0 => poisson * along,
+        Geometry::PlaneStrain if layer.eigenstrain() == 0.0 => match material.out_of_plane {
+            Some([by_along, by_across]) => by_along * along + by_across * across,
+            None => f64::NAN,
+        },
         // nothing is strained out of the plane, where Young's modulus is known of isotropic materials only
         Geometry::PlaneStrain if material.is_isotropic() => {
-            poisson * along - (1.0 - poisson * poisson) * material.axial_stiffness * layer.eigenstrain()
+            poisson * (along + across) - (1.0 - poisson * poisson) * material.axial_stiffness * layer.eigenstrain()
         }
         Geometry::PlaneStrain => f64::NAN,
         Geometry::PlaneStress => 0.0,
         Geometry::Axisymmetric => along,
     };
-    [along, out]
+    [along, across, out]
 }

@@ -49,7 +49,9 @@ impl Sweep {
     fn check_fullest(&self, choices: &[Choice]) -> Result<(), Error> {
         let items: Vec<Item> =
             choices.iter().filter_map(|choice| choice.there.as_ref().or(choice.missing.as_ref())).cloned().collect();
-        let Err(error) = Stack::from_items(self.scene.geometry, &items) else { return Ok(()) };
+        let Err(error) = Stack::from_items_under(self.scene.geometry, self.scene.pressure_on_top, &items) else {
+            return Ok(());
+        };
         let only = match error.problem() {
             StackProblem::TooManyLayers(_) | StackProblem::TooManyReceding(_) => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())

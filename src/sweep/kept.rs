@@ -75,10 +75,11 @@ impl Sweep {
     fn solve_row(&self, values: &[f64]) -> Result<(Arc<Model>, Top, Solution), Error> {
         let changes = self.slots.iter().zip(values.iter().copied());
         let (of_stack, others): (Vec<Change>, Vec<Change>) =
-            changes.partition(|(slot, _)| matches!(slot.owner, Owner::Item(_)));
+            changes.partition(|(slot, _)| matches!(slot.owner, Owner::Item(_) | Owner::PressureOnTop));
         // a model, or the error in its place, must not depend on the row that came first
         let model = self.models.get(&of_stack, || {
-            let stack = Stack::from_items(self.scene.geometry, &self.scene.with_changes(&of_stack)?.stack)?;
+            let Scene { geometry, pressure_on_top, stack, .. } = self.scene.with_changes(&of_stack)?;
+            let stack = Stack::from_items_under(geometry, pressure_on_top, &stack)?;
             let model = Model::new(stack)?;
             Ok(if self.values_of(|owner| owner == Owner::Force) >= MANY { model.for_many_loads() } else { model })
         })?;

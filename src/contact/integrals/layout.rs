@@ -98,9 +98,10 @@ impl Layout {
         // two wavenumbers per wavelength
         let cut = |end: f64| 2.0 * CUT_AFTER / end.max(0.5 * span);
         let mut layout = Self::empty(kernel, negligible);
-        let coupled = |i: usize| {
-            let shortest = shortest[i].min(shortest[i + 1]);
-            kernel.uncoupled(i, shortest, negligible).min(cut(ends[i].max(ends[i + 1])))
+        let coupled = |pair: usize| {
+            let [above, below] = kernel.pair(pair);
+            let shortest = shortest[above].min(shortest[below]);
+            kernel.uncoupled(pair, shortest, negligible).min(cut(ends[above].max(ends[below])))
         };
         let reach = |i: usize| kernel.vanishes(i, shortest[i], negligible).min(cut(ends[i]));
         layout.own.iter_mut().zip(exponentials).for_each(|(own, taken)| own.exponentials.0.clone_from(taken));
@@ -109,13 +110,14 @@ impl Layout {
             kernel,
             half_lengths: ends,
             reaches: (0..n).map(|i| reach(i).min(turned[i])).collect(),
-            coupled: (0..n - 1).map(coupled).collect(),
+            coupled: (0..kernel.pairs()).map(coupled).collect(),
             negligible,
             span,
         };
         layout.real(&plan)?;
         for i in 0..n {
-            layout.own[i].reach = layout.wavenumbers_of(i);
+            let couplings = kernel.neighbours(i).map(|(_, pair)| layout.coupling[pair].len());
+            layout.own[i].reach = couplings.fold(layout.own[i].unit.len(), usize::max);
         }
         Some(layout)
     }
@@ -134,15 +136,9 @@ impl Layout {
             negligible,
             zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
-            coupling: (1..n).map(|_| Vec::with_capacity(USUAL)).collect(),
+            coupling: (0..kernel.pairs()).map(|_| Vec::with_capacity(USUAL)).collect(),
             tails_from: Vec::new(),
         }
-    }
-
-    /// How many real wavenumbers contact i needs.
-    fn wavenumbers_of(&self, i: usize) -> usize {
-        let couplings = self.coupling[i.saturating_sub(1)..(i + 1).min(self.coupling.len())].iter();
-        couplings.map(|weights| weights.len()).fold(self.own[i].unit.len(), usize::max)
     }
 
     /// All real wavenumbers; `None` if they are too many.
@@ -211,8 +207,7 @@ impl Layout {
                 _ => {
                     let excess = weights.iter().zip(zeta).map(|(weight, zeta)| weight * far.remainder(*zeta));
                     own.unit.extend(excess);
-                    let neighbours = i.saturating_sub(1)..(i + 1).min(kernel.contacts() - 1);
-                    for coupling in neighbours.filter_map(|i| values.map(|values| values.coupling(i))) {
+                    for coupling in kernel.shared(i).filter_map(|pair| values.map(|values| values.coupling(pair))) {
                         let excess = own.unit[start..].iter_mut().zip(weights.iter()).zip(coupling);
                         excess.for_each(|((excess, weight), coupling)| *excess += weight * coupling);
                     }
@@ -249,10 +244,11 @@ impl Plan<'_> {
                 size = size.max((beyond + panel.map_or(0.0, |panel| panel.remainders[i])) / far.limit);
             }
         }
-        for (i, (pair, reach)) in self.half_lengths.windows(2).zip(&self.coupled).enumerate() {
+        for (pair, reach) in self.coupled.iter().enumerate() {
             if to <= *reach {
-                frequency = frequency.max(2.0 * pair[0].max(pair[1])).max(self.span);
-                size = size.max(panel.map_or(0.0, |panel| panel.couplings[i]) / self.kernel.least(i));
+                let longest = self.kernel.pair(pair).map(|i| self.half_lengths[i]).into_iter().fold(0.0, f64::max);
+                frequency = frequency.max(2.0 * longest).max(self.span);
+                size = size.max(panel.map_or(0.0, |panel| panel.couplings[pair]) / self.kernel.least(pair));
             }
         }
         (frequency > 0.0).then_some((frequency, size))

@@ -1,0 +1,65 @@
+//! Interfaces that weights, or a pressure on top, keep closed but for openings.
+use serde::Serialize;
+
+use super::Interface;
+
+/// An interface between layers that are pressed together far away. Lengths and stresses are in the units of the scene.
+///
+/// ```
+/// use recede::Scene;
+/// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, load: Line, force: 20.0, stack: [
+///     Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0), Receding, Rigid])")?;
+/// let solution = recede::solve(&scene)?;
+/// let [interface] = solution.closed() else { unreachable!() };
+/// // the layer does not lift off yet
+/// assert!(interface.openings.is_empty() && interface.smallest_pressure > 0.0);
+/// assert!(interface.central_pressure > 20.0 / 2.0 && interface.weight == 1.0);
+/// # Ok::<(), recede::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ClosedInterface {
+    /// Which interface.
+    pub interface: Interface,
+    /// The pressure of the weights above and on top alone, which it has far away.
+    pub weight: f64,
+    /// The pressure at x = 0 (compression positive).
+    pub central_pressure: f64,
+    /// The solver's estimate of the absolute error of `central_pressure`.
+    pub central_pressure_error: f64,
+    /// The smallest pressure outside openings.
+    pub smallest_pressure: f64,
+    /// Where it is; of what is even on the right.
+    pub smallest_at: f64,
+    /// Where the layers are apart, from left to right; none while all is closed.
+    pub openings: Vec<Opening>,
+}
+
+/// An interval in which two layers that are pressed together far away are apart. Lengths are in the unit of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Opening {
+    /// Where it begins.
+    pub left: f64,
+    /// Where it ends.
+    pub right: f64,
+    /// The solver's estimate of the absolute error of `left`.
+    pub left_error: f64,
+    /// The solver's estimate of the absolute error of `right`.
+    pub right_error: f64,
+    /// The largest gap in it.
+    pub largest_gap: f64,
+    /// Where that is.
+    pub largest_gap_at: f64,
+}
+
+/// When layers that are pressed together begin to come apart, all forces scaled together.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Separation {
+    /// The force, all punches or loads together, per unit length out of plane; about an axis the whole force.
+    pub critical_force: f64,
+    /// The solver's estimate of its absolute error.
+    pub critical_force_error: f64,
+    /// The interface that opens first.
+    pub interface: Interface,
+    /// Where it opens; of what is even on the right, and on the left, too.
+    pub x: f64,
+}

@@ -1,0 +1,204 @@
+//! Interfaces that weights, or a pressure on top, press together: the pressure on them, and the force under which they begin to open.
+//!
+//! While all is closed a unit pressure on top of long or short waves makes the pressure t_i on interface i, so that the pressure of a punch or a load adds to the weight w_i
+//! the sum of all waves of its own transform times t_i.
+use std::f64::consts::PI;
+
+use crate::field::ContactPressure;
+use crate::kernel::Kernel;
+use crate::numeric::bessel;
+use crate::numeric::quadrature::{LARGEST, points, rule};
+use crate::numeric::trigonometry;
+use crate::solution::{ClosedInterface, Interface, Separation, Solution};
+use crate::stack::Stack;
+use crate::system::Unresolved;
+
+/// Pressures are looked at up to this distance from what presses, over the wavenumber up to which kernels are one polynomial: no pressure that decays
+/// like an exponential function reaches so far. Twice as far: no other place is found.
+const FARTHEST: f64 = 40.0;
+/// Steps between places, over the mean wavelength, and farther away in parts of the distance.
+const STEP: f64 = 0.05;
+const FARTHER: f64 = 0.04;
+/// Halvings of what a place of least pressure lies in.
+const STEPS: usize = 52;
+/// Forces are scaled at most so often until the first interface opens.
+const SCALINGS: usize = 30;
+/// Digits of the sums.
+const DIGITS: f64 = 15.0;
+/// The part of the pressures that rounding and sums leave.
+const ROUNDING: f64 = 1e-13;
+
+/// The interfaces of a stack that are pressed together.
+#[derive(Clone, Debug)]
+pub(crate) struct Weights {
+    /// The kernels of openings, the contact above them first.
+    pub(crate) kernel: Kernel,
+    /// The interfaces, and the pressure on each.
+    pub(crate) interfaces: Vec<(Interface, f64)>,
+    /// The number of the contact above them.
+    above: usize,
+}
+
+/// The waves of a pressure, as amplitudes of cos λx and sin λx, or about an axis of J₀(λr).
+struct Waves {
+    wavenumbers: Vec<f64>,
+    amplitudes: [Vec<f64>; 2],
+    is_round: bool,
+}
+
+impl Weights {
+    /// Of a stack; `None` if nothing presses its layers together.
+    pub(crate) fn of(stack: &Stack) -> Result<Option<Self>, Unresolved> {
+        let (above, weights) = (stack.loose(), stack.weights());
+        if above == weights.len() {
+            return Ok(None);
+        }
+        let interfaces = stack.contacts().into_iter().skip(1).zip(weights).skip(above).collect();
+        Ok(Some(Self { kernel: Kernel::of_openings(&stack.pressed())?, interfaces, above }))
+    }
+
+    /// The interfaces under what presses on the contact above them, all closed.
+    pub(crate) fn under(&self, solution: &Solution) -> Vec<ClosedInterface> {
+        let middle = solution.about().unwrap_or(0.0);
+        let contact = &solution.contacts()[self.above];
+        let error = self.above_error(solution);
+        let pressure = ContactPressure::new(contact, solution.about().is_some(), middle);
+        let ends = contact.ends().map(|end| end - middle);
+        let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
+            let waves = self.waves(i + 1, &pressure, ends);
+            let [central, _] = waves.at(-middle);
+            let (x, least) = self.least(&waves, ends, solution.about().is_some());
+            ClosedInterface {
+                interface: *interface,
+                weight: *weight,
+                central_pressure: weight + central,
+                central_pressure_error: error * central.abs() + ROUNDING * weight,
+                smallest_pressure: weight + least,
+                smallest_at: x + middle,
+                openings: Vec::new(),
+            }
+        };
+        self.interfaces.iter().enumerate().map(of).collect()
+    }
+
+    /// When the first interface opens, from a solution, and from others under all forces scaled by a factor.
+    pub(crate) fn separation(
+        &self,
+        solution: &Solution,
+        scaled: impl Fn(f64) -> Option<Solution>,
+    ) -> Option<Separation> {
+        // the largest tension over the weight, which has to be 1
+        let opens = |solution: &Solution| {
+            let all = self.under(solution).into_iter();
+            let tension = |own: &ClosedInterface| 1.0 - own.smallest_pressure / own.weight;
+            all.map(|own| (tension(&own), own)).max_by(|(a, _), (b, _)| a.total_cmp(b))
+        };
+        let (mut factor, mut found) = (1.0, opens(solution)?);
+        for _ in 0..SCALINGS {
+            if found.0 <= 0.0 {
+                return None;
+            }
+            if (found.0 - 1.0).abs() < ROUNDING {
+                break;
+            }
+            // tension grows nearly as the forces do
+            factor /= found.0;
+            found = opens(&scaled(factor)?)?;
+        }
+        let (tension, ClosedInterface { interface, smallest_at: x, .. }) = found;
+        let critical_force = factor * solution.force();
+        let known = self.above_error(solution) + (tension - 1.0).abs();
+        Some(Separation { critical_force, critical_force_error: known * critical_force, interface, x })
+    }
+
+    /// The relative error of what presses on the contact above.
+    fn above_error(&self, solution: &Solution) -> f64 {
+        let error = solution.contacts()[self.above].end_error();
+        ROUNDING + if error.is_finite() { error } else { 0.0 }
+    }
+
+    /// How far from what presses pressures are looked at, in the unit of the scene.
+    fn farthest(&self) -> f64 {
+        FARTHEST * self.kernel.length() / self.kernel.panels.first().map_or(1.0, |panel| panel.to)
+    }
+
+    /// The waves of the pressure on interface i that what presses above makes, which begins and ends there.
+    fn waves(&self, i: usize, pressure: &ContactPressure, ends: [f64; 2]) -> Waves {
+        let (kernel, is_round) = (&self.kernel, self.kernel.geometry().is_axisymmetric());
+        let length = kernel.length();
+        let pair = kernel.neighbours(0).find(|(other, _)| *other == i).map_or(0, |(_, pair)| pair);
+        let reach = (self.farthest() + ends[1].abs().max(ends[0].abs())) / length;
+        let (mut zeta, mut weights) = (Vec::new(), Vec::new());
+        for panel in kernel.panels.iter().filter(|panel| panel.coupled[pair]) {
+            let needed = points(2.0 * reach * (panel.to - panel.from), DIGITS);
+            let parts = needed.div_ceil(LARGEST);
+            let at = |k: usize| panel.from + (panel.to - panel.from) * k as f64 / parts as f64;
+            for part in 0..parts {
+                let nodes = rule(needed.div_ceil(parts)).on(at(part), at(part + 1));
+                let passed = nodes.map(|(zeta, weight)| (zeta, weight * kernel.coupling(pair, zeta)));
+                passed.for_each(|(wave, weight)| {
+                    zeta.push(wave / length);
+                    weights.push(weight / length);
+                });
+            }
+        }
+        let transforms = pressure.transforms(&zeta);
+        let measure = |wave: f64| if is_round { wave } else { PI.recip() };
+        let factors: Vec<f64> = zeta.iter().zip(&weights).map(|(wave, weight)| weight * measure(*wave)).collect();
+        let even = factors.iter().zip(&transforms).map(|(factor, transform)| factor * transform.value.re).collect();
+        let odd = factors.iter().zip(&transforms).map(|(factor, transform)| factor * transform.value.im).collect();
+        Waves { wavenumbers: zeta, amplitudes: [even, odd], is_round }
+    }
+
+    /// Where waves are lowest, and how low they are there.
+    fn least(&self, waves: &Waves, [left, right]: [f64; 2], is_even: bool) -> (f64, f64) {
+        let (farthest, shortest) = (self.farthest(), STEP * 2.0 * PI / waves.mean_wavenumber());
+        let mut places = vec![if is_even { 0.0 } else { left - farthest }];
+        while let Some(last) = places.last().copied().filter(|last| *last < right + farthest) {
+            let distance = (left - last).max(last - right).max(0.0);
+            places.push(last + shortest.max(FARTHER * distance));
+        }
+        let values: Vec<f64> = places.iter().map(|x| waves.at(*x)[0]).collect();
+        let lowest = (0..places.len()).min_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
+        let (mut from, mut to) = (places[lowest.saturating_sub(1)], places[(lowest + 1).min(places.len() - 1)]);
+        // the slope changes its sign between
+        for _ in 0..STEPS {
+            let x = 0.5 * (from + to);
+            if waves.at(x)[1] < 0.0 { from = x } else { to = x }
+        }
+        let x = if lowest == 0 && is_even { 0.0 } else { 0.5 * (from + to) };
+        (x, waves.at(x)[0])
+    }
+}
+
+impl Waves {
+    /// The value at a place, and its derivative.
+    fn at(&self, x: f64) -> [f64; 2] {
+        let phases: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * x).collect();
+        let [mut value, mut slope] = [0.0; 2];
+        let [even, odd] = &self.amplitudes;
+        if self.is_round {
+            let mut table = vec![0.0; 2 * phases.len()];
+            bessel::table(2, &phases, &mut table);
+            let (zeroth, first) = table.split_at(phases.len());
+            for (k, wave) in self.wavenumbers.iter().enumerate() {
+                value += even[k] * zeroth[k];
+                slope -= wave * even[k] * first[k];
+            }
+            return [value, slope];
+        }
+        let [sines, cosines, _] = trigonometry::waves(&phases);
+        for (k, wave) in self.wavenumbers.iter().enumerate() {
+            value += even[k] * cosines[k] + odd[k] * sines[k];
+            slope += wave * (odd[k] * cosines[k] - even[k] * sines[k]);
+        }
+        [value, slope]
+    }
+
+    /// The mean of the wavenumbers, by the sizes of waves.
+    fn mean_wavenumber(&self) -> f64 {
+        let sizes = || self.amplitudes[0].iter().zip(&self.amplitudes[1]).map(|(even, odd)| even.hypot(*odd));
+        let sum: f64 = sizes().zip(&self.wavenumbers).map(|(size, wave)| size * wave).sum();
+        sum / sizes().sum::<f64>()
+    }
+}

@@ -1,0 +1,157 @@
+//! Weights of layers and a pressure on top: what presses layers together besides the punch.
+use recede::{Error, Model, NoSolution, Scene, Separation, Solution};
+
+/// A layer with c = (κ + 1)/(4μ) = 1 and unit thickness and weight on a base with c = k, rigid for k = 0.
+fn on(base: f64, top: &str, more: &str) -> String {
+    let base = match base {
+        0.0 => "Rigid".to_owned(),
+        k => format!("HalfPlane(shear_modulus: {:?}, poisson: 0.25)", 0.75 / k),
+    };
+    let layer = "Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0)";
+    format!("Scene({top}, {more} stack: [{layer}, Receding, {base}])")
+}
+
+fn solved(text: &str) -> Result<(Solution, Separation), Error> {
+    let scene = Scene::from_ron(text)?;
+    let model = Model::new(scene.stack()?)?;
+    let solution = model.press(&scene.top, scene.force)?;
+    let separation = model.separation(&scene.top, &solution)?.expect("layers that come apart");
+    Ok((solution, separation))
+}
+
+/// The critical force in units of the weight, and where the first interface opens: numbers of two independent programs.
+#[test]
+fn layers_begin_to_come_apart_under_the_forces_of_other_programs() {
+    let line = "geometry: PlaneStrain, load: Line, force: 20.0";
+    let point = "geometry: Axisymmetric, load: Point, force: 20.0";
+    let uniform = "geometry: PlaneStrain, load: Uniform(half_width: 0.5), force: 20.0";
+    let cases = [
+        (line, 0.0, 1.770537706, 44.139105985),
+        (line, 1.0, 2.902761213, 139.034668328),
+        (line, 4.0, 4.456128456, 203.497361690),
+        (line, 10.0, 5.959530080, 249.948985990),
+        (uniform, 1.0, 3.015412032, 151.755952331),
+        (point, 0.0, 1.958786, 165.742949),
+        (point, 0.25, 2.295516, 327.469005),
+        (point, 1.0, 3.200254, 872.635924),
+    ];
+    for (top, base, x, force) in cases {
+        let (_, found) = solved(&on(base, top, "")).unwrap();
+        let digits = if top == point { 5e-7 } else { 1e-9 };
+        assert!((found.x - x).abs() < digits, "{top}, {base}: {found:?}");
+        assert!((found.critical_force / force - 1.0).abs() < 2e-9, "{top}, {base}: {found:?}");
+    }
+}
+
+#[test]
+fn the_interface_that_is_pressed_less_opens_first() {
+    let two = |first: f64, second: f64| {
+        solved(&format!(
+            "Scene(geometry: PlaneStrain, load: Line, force: 20.0, stack: [
+            Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: {first:?}), Receding,
+            Homogeneous(thickness: 0.8, shear_modulus: 1.5, poisson: 0.25, specific_weight: {second:?}), Receding,
+            HalfPlane(shear_modulus: 0.75, poisson: 0.25)])"
+        ))
+        .unwrap()
+    };
+    let (solution, upper) = two(1.0, 1.875);
+    let weights: Vec<f64> = solution.closed().iter().map(|own| own.weight).collect();
+    assert_eq!(weights, [1.0, 2.5]);
+    assert_eq!(upper.interface.to_string(), "1|2");
+    assert!((upper.x - 3.423742285).abs() < 1e-8 && (upper.critical_force / 235.546432077 - 1.0).abs() < 1e-10);
+    // the lower interface alone: the upper one is pressed more than it
+    let (_, lower) = two(2.5, 0.0);
+    assert_eq!(lower.interface.to_string(), "2|3");
+    assert!((lower.x - 3.524470246).abs() < 1e-8 && (lower.critical_force / 320.340475509 - 1.0).abs() < 1e-10);
+}
+
+/// Whether a pressure is a weight or stands on top does not matter to one interface, and all pressures grow with weight and force together.
+#[test]
+fn only_the_force_over_the_weight_matters() {
+    let parabola = |force: f64, radius: f64| {
+        format!("geometry: PlaneStrain, punch: Parabola(radius: {radius:?}), force: {force:?}")
+    };
+    let (_, own) = solved(&on(1.0, &parabola(60.0, 1e-3), "")).unwrap();
+    let twice = on(1.0, &parabola(120.0, 0.5e-3), "pressure_on_top: 1.0,");
+    let (solution, twice) = solved(&twice).unwrap();
+    assert_eq!(solution.closed()[0].weight, 2.0);
+    assert!((twice.critical_force / own.critical_force - 2.0).abs() < 1e-9, "{twice:?} {own:?}");
+    assert!((twice.x - own.x).abs() < 1e-7);
+    // solved at the critical force the smallest pressure is zero
+    let (critical, _) = solved(&on(1.0, &parabola(own.critical_force * (1.0 - 1e-9), 1e-3), "")).unwrap();
+    assert!(critical.closed()[0].smallest_pressure.abs() < 1e-8, "{critical:?}");
+}
+
+/// What presses on a closed interface is the weight and all of the force.
+#[test]
+fn the_field_carries_the_weight_and_the_force() {
+    let scene = Scene::from_ron(&on(1.0, "geometry: PlaneStrain, load: Line, force: 50.0", "")).unwrap();
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let solution = model.press(&scene.top, scene.force).unwrap();
+    let own = &solution.closed()[0];
+    let field = model.field(&solution).unwrap();
+    let at = |x: f64, layer: usize| field.at_layer(x, 1.0, layer).unwrap();
+    for (x, pressure) in [(0.0, own.central_pressure), (own.smallest_at, own.smallest_pressure), (200.0, 1.0)] {
+        for layer in [1, 2] {
+            let found = -at(x, layer).sigma_yy;
+            assert!((found - pressure).abs() < 1e-5 * own.central_pressure, "{x} {layer}: {found} {pressure}");
+        }
+        assert!(at(x, 1).sigma_xy.abs() < 1e-8 * own.central_pressure);
+    }
+    // far away the layer has no resultant along it, and the half-plane is not strained
+    let along = |depth: f64| field.at_layer(1e4, depth, 1).unwrap().sigma_xx;
+    assert!(along(0.5).abs() < 1e-6 && along(1.0).abs() < 0.5 && (along(0.0) + along(1.0)).abs() < 1e-6);
+    assert!((at(1e4, 2).sigma_xx + 1.0 / 3.0).abs() < 1e-6);
+}
+
+#[test]
+fn even_curvature_is_pressed_flat() {
+    let line = "geometry: PlaneStrain, load: Line, force: 20.0";
+    let flat = on(1.0, line, "");
+    let (_, own) = solved(&flat).unwrap();
+    for gap in ["Receding(gap: Parabola(radius: 100))", "Receding(gap: Parabola(radius: 1))"] {
+        let (_, found) = solved(&flat.replace("Receding", gap)).unwrap();
+        assert_eq!(found, own);
+    }
+    let layer = |eigenstrain: &str| {
+        format!("Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0{eigenstrain})")
+    };
+    // warm above, so that the edges would fall away
+    let curled = format!(
+        "Scene({line}, stack: [{}, Bonded, {}, Receding, HalfPlane(shear_modulus: 0.75, poisson: 0.25)])",
+        layer(", eigenstrain: 1e-3"),
+        layer("")
+    );
+    let (_, found) = solved(&curled).unwrap();
+    assert!((found.critical_force / own.critical_force - 1.0).abs() < 1e-11, "{found:?}");
+}
+
+#[test]
+fn what_cannot_be_is_refused_with_the_reason() {
+    let line = "geometry: PlaneStrain, load: Line, force: 20.0";
+    let scene = on(1.0, line, "");
+    let refused = |text: String, message: &str| {
+        let error = solved(&text).expect_err(message).to_string();
+        assert!(error.contains(message), "{error}");
+    };
+    refused(scene.replace("specific_weight: 1.0", "specific_weight: -1.0"), "allowed is a finite number >= 0");
+    refused(on(1.0, line, "pressure_on_top: -0.5,"), "allowed is a finite number >= 0");
+    refused(
+        scene.replace("HalfPlane(", "HalfPlane(specific_weight: 1.0, "),
+        "layer 2 (HalfPlane) is a base, and has neither an eigenstrain nor a weight",
+    );
+    refused(scene.replace("Receding", "Receding(gap: Wedge(slope: 0.1))"), "the gap there is not a parabola");
+    let error = solved(&on(0.0, "geometry: Axisymmetric, load: Point, force: 200.0", "")).unwrap_err();
+    let Error::NoSolution(NoSolution::LiftsOff { critical_force, .. }) = error else { panic!("{error}") };
+    assert!((critical_force - 165.742949).abs() < 1e-5);
+}
+
+#[test]
+fn scenes_with_weights_are_read_again_from_what_is_written() {
+    let text = on(1.0, "geometry: PlaneStrain, load: Line, force: 20.0", "pressure_on_top: 0.25,");
+    let scene = Scene::from_ron(&text).unwrap();
+    let written = scene.to_ron();
+    assert!(written.contains("    pressure_on_top: 0.25,\n") && written.contains("specific_weight: 1.0)"), "{written}");
+    assert_eq!(Scene::from_ron(&written).unwrap().to_ron(), written);
+    assert_eq!(Scene::from_json(&scene.to_json()).unwrap().to_ron(), written);
+}
