@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
 use crate::collocation::{self, Collocated};
-use crate::contact::{self, Asked, Curves, NoSolution};
+use crate::contact::{self, Asked, ContactError, Curves, NoSolution};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
@@ -14,8 +14,9 @@ use crate::solution::{ClosedInterface, Interface, Ledger, OwnerKey, Separation, 
 use crate::stack::{Gaps, Stack};
 use crate::weights::Weights;
 
-/// Tension on an interface that weights keep closed counts as none below this part of the weight.
-const COARSEST: f64 = 1e-9;
+/// Forces grow by about this factor from step to step where openings are found by way of smaller forces, to a few digits.
+const STEP: f64 = 1.5;
+const ROUGH: f64 = 1e-3;
 
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
 ///
@@ -127,19 +128,65 @@ impl Model {
             Some(curves) => curves.press(top, options.tolerance, force, press),
             None => press(options.tolerance, force),
         }?;
-        self.with_closed(top, solution)
+        self.with_closed(top, options, solution)
     }
 
     /// A solution with the interfaces that weights keep closed.
-    fn with_closed(&self, top: &Top, solution: Solution) -> Result<Solution, Error> {
+    fn with_closed(&self, top: &Top, options: &Options, solution: Solution) -> Result<Solution, Error> {
         let Some((_, weights)) = &self.closed else { return Ok(solution) };
-        let closed = weights.under(&solution);
-        let opens = closed.iter().find(|own| own.smallest_pressure < -COARSEST * own.weight);
-        let Some(&ClosedInterface { interface, smallest_at: x, .. }) = opens else {
-            return Ok(Solution { closed, ..solution });
-        };
+        let (closed, tensile) = weights.under(&solution);
+        let Some((number, _)) = tensile.first() else { return Ok(Solution { closed, ..solution }) };
+        if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
+            return self.opened((top, weights), options.tolerance, &solution, &tensile);
+        }
+        let ClosedInterface { interface, smallest_at: x, .. } = closed[number - 1];
         let critical_force = self.separation_of(top, &solution).map_or(f64::NAN, |own| own.critical_force);
         Err(NoSolution::LiftsOff { interface, x, critical_force }.into())
+    }
+
+    /// The solution with openings, from the solution while all is closed, and from where layers would pull; where that leads nowhere, by way of smaller forces.
+    fn opened(
+        &self,
+        (top, weights): (&Top, &Weights),
+        tolerance: f64,
+        closed: &Solution,
+        tensile: &[(usize, [f64; 2])],
+    ) -> Result<Solution, Error> {
+        let interfaces = self.stack.contacts();
+        let open = |top: &Top, closed: &Solution, tolerance: f64, openings: &[(usize, [f64; 2])]| {
+            let asked = Asked { tolerance, ..self.asked(top, &Options::default()) };
+            contact::open(&with_weights(&asked, weights, &interfaces), closed, openings)
+        };
+        let error = match open(top, closed, tolerance, tensile) {
+            Err(ContactError::NoSolution(error)) => error,
+            other => return Ok(other?),
+        };
+        let separation = self.separation_of(top, closed).ok_or_else(|| error.clone())?;
+        let last = closed.force() / separation.critical_force;
+        let steps = (last.ln() / STEP.ln()).ceil().max(2.0) as i32;
+        let mut openings = None;
+        for step in 1..steps {
+            let factor = (last.ln() * (f64::from(step) / f64::from(steps) - 1.0)).exp();
+            let (top, closed) = self.scaled(top, closed, factor).ok_or_else(|| error.clone())?;
+            let start = openings.unwrap_or_else(|| weights.under(&closed).1);
+            let found = open(&top, &closed, ROUGH, &start).map_err(|_| error.clone())?;
+            let of = |(number, own): (usize, &ClosedInterface)| {
+                let all = own.openings.iter().map(move |one| (number + 1, [one.left, one.right]));
+                all.collect::<Vec<_>>()
+            };
+            openings = Some(found.closed().iter().enumerate().flat_map(of).collect());
+        }
+        Ok(open(top, closed, tolerance, &openings.unwrap_or_default())?)
+    }
+
+    /// The same top with all forces of a solution scaled by a factor, and the solution while all is closed.
+    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Option<(Top, Solution)> {
+        let forces = solution.punches().iter().map(|carried| factor * carried.force);
+        let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
+        let top = scaled.unwrap_or_else(|| top.clone());
+        let force = Force::Given(factor * solution.force());
+        let found = contact::press(&self.asked(&top, &Options::default()), force).ok()?;
+        Some((top, found))
     }
 
     /// When layers that weights press together begin to come apart, if all forces on the top are scaled together; `None` if nothing presses layers together, or if no force
@@ -164,16 +211,7 @@ impl Model {
 
     fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
         let (_, weights) = self.closed.as_ref()?;
-        let options = Options::default();
-        weights.separation(solution, |factor| {
-            let forces = solution.punches().iter().map(|carried| factor * carried.force);
-            let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
-            contact::press(
-                &self.asked(scaled.as_ref().unwrap_or(top), &options),
-                Force::Given(factor * solution.force()),
-            )
-            .ok()
-        })
+        weights.separation(solution, |factor| Some(self.scaled(top, solution, factor)?.1))
     }
 
     /// The stack that is solved for: interfaces that weights press together are closed.
@@ -189,6 +227,7 @@ impl Model {
             interfaces: &self.interfaces,
             top,
             gaps: &self.gaps.0,
+            weights: &[],
             tolerance: options.tolerance,
         }
     }
@@ -211,7 +250,7 @@ impl Model {
     /// # Errors
     /// [`Error::Contact`] if a contact is a ring about an axis; [`Error::Field`] if the solution is one of another stack, or the fields cannot be computed.
     pub fn collocate(&self, top: impl Into<Top>, solution: &Solution) -> Result<Vec<Collocated>, Error> {
-        self.check_owns(solution)?;
+        self.check_closed(solution)?;
         let top = top.into();
         let kernel = self.asked(&top, &Options::default()).kernel_under(solution.force()).into_owned();
         collocation::check(&top, self.solved(), &kernel, solution)
@@ -223,9 +262,21 @@ impl Model {
     /// [`Error::Field`] if the solution is one of another stack; [`Error::NoSolution`] if it is of low accuracy, since the contact equations were not solved then.
     pub fn ledger(&self, top: impl Into<Top>, solution: &Solution) -> Result<Ledger, Error> {
         self.check_owns(solution)?;
-        let top = top.into();
-        let ledger = contact::ledger(&self.asked(&top, &Options::default()), solution);
+        let (top, interfaces) = (top.into(), self.stack.contacts());
+        let asked = self.asked(&top, &Options::default());
+        let weights = self.closed.as_ref().filter(|_| self.check_closed(solution).is_err());
+        let ledger = match weights {
+            Some((_, weights)) => contact::ledger(&with_weights(&asked, weights, &interfaces), solution),
+            None => contact::ledger(&asked, solution),
+        };
         ledger.ok_or_else(|| NoSolution::NotConverged.into())
+    }
+
+    /// Refuses a solution of another stack, and one with openings.
+    fn check_closed(&self, solution: &Solution) -> Result<(), FieldError> {
+        self.check_owns(solution)?;
+        let is_open = |own: &ClosedInterface| !own.openings.is_empty();
+        if solution.closed().iter().any(is_open) { Err(FieldError::Openings) } else { Ok(()) }
     }
 
     /// Refuses a solution of another stack.
@@ -236,9 +287,9 @@ impl Model {
     /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.
     ///
     /// # Errors
-    /// [`FieldError::OtherStack`] if the solution is one of another stack.
+    /// [`FieldError::OtherStack`] if the solution is one of another stack, [`FieldError::Openings`] if layers come apart that weights press together.
     pub fn field(&self, solution: &Solution) -> Result<Field, FieldError> {
-        self.check_owns(solution)?;
+        self.check_closed(solution)?;
         Ok(Field::new(self.solved(), solution))
     }
 
@@ -263,7 +314,7 @@ impl Model {
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
     pub fn profile(&self, top: impl Into<Top>, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
-        self.check_owns(solution)?;
+        self.check_closed(solution)?;
         profile::profile(&top.into(), self.solved(), solution, x)
     }
 
@@ -289,7 +340,7 @@ impl Model {
     /// several punches;
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
-        self.check_owns(solution)?;
+        self.check_closed(solution)?;
         approach::approach(&top.into(), self.solved(), &self.kernel, solution)
     }
 
@@ -310,11 +361,16 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn approaches(&self, top: impl Into<Top>, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
-        match self.check_owns(solution) {
+        match self.check_closed(solution) {
             Ok(()) => approach::of_each(&top.into(), self.solved(), &self.kernel, solution),
             Err(error) => vec![Err(error.into())],
         }
     }
+}
+
+/// The same question where interfaces are closed but for openings.
+fn with_weights<'a>(asked: &Asked<'a>, weights: &'a Weights, interfaces: &'a [Interface]) -> Asked<'a> {
+    Asked { kernel: &weights.kernel, interfaces, weights: &weights.interfaces, gaps: &[], ..*asked }
 }
 
 impl Scene {

@@ -23,6 +23,8 @@ const FARTHER: f64 = 0.04;
 const STEPS: usize = 52;
 /// Forces are scaled at most so often until the first interface opens.
 const SCALINGS: usize = 30;
+/// Tension counts as none below this part of the weight.
+const COARSEST: f64 = 1e-9;
 /// Digits of the sums.
 const DIGITS: f64 = 15.0;
 /// The part of the pressures that rounding and sums leave.
@@ -57,17 +59,19 @@ impl Weights {
         Ok(Some(Self { kernel: Kernel::of_openings(&stack.pressed())?, interfaces, above }))
     }
 
-    /// The interfaces under what presses on the contact above them, all closed.
-    pub(crate) fn under(&self, solution: &Solution) -> Vec<ClosedInterface> {
+    /// The interfaces under what presses on the contact above them, all closed, and by their numbers, from 1, where layers would pull.
+    pub(crate) fn under(&self, solution: &Solution) -> (Vec<ClosedInterface>, Vec<(usize, [f64; 2])>) {
         let middle = solution.about().unwrap_or(0.0);
         let contact = &solution.contacts()[self.above];
         let error = self.above_error(solution);
         let pressure = ContactPressure::new(contact, solution.about().is_some(), middle);
         let ends = contact.ends().map(|end| end - middle);
+        let mut tensile = Vec::new();
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
             let waves = self.waves(i + 1, &pressure, ends);
             let [central, _] = waves.at(-middle);
-            let (x, least) = self.least(&waves, ends, solution.about().is_some());
+            let (x, least, pulls) = self.least(&waves, *weight, ends, solution.about().is_some());
+            tensile.extend(pulls.into_iter().map(|ends| (i + 1, ends.map(|end| end + middle))));
             ClosedInterface {
                 interface: *interface,
                 weight: *weight,
@@ -78,7 +82,8 @@ impl Weights {
                 openings: Vec::new(),
             }
         };
-        self.interfaces.iter().enumerate().map(of).collect()
+        let closed = self.interfaces.iter().enumerate().map(of).collect();
+        (closed, tensile)
     }
 
     /// When the first interface opens, from a solution, and from others under all forces scaled by a factor.
@@ -89,7 +94,7 @@ impl Weights {
     ) -> Option<Separation> {
         // the largest tension over the weight, which has to be 1
         let opens = |solution: &Solution| {
-            let all = self.under(solution).into_iter();
+            let all = self.under(solution).0.into_iter();
             let tension = |own: &ClosedInterface| 1.0 - own.smallest_pressure / own.weight;
             all.map(|own| (tension(&own), own)).max_by(|(a, _), (b, _)| a.total_cmp(b))
         };
@@ -150,8 +155,8 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_round }
     }
 
-    /// Where waves are lowest, and how low they are there.
-    fn least(&self, waves: &Waves, [left, right]: [f64; 2], is_even: bool) -> (f64, f64) {
+    /// Where waves are lowest, how low they are there, and from where to where they are larger tension than a weight is pressure.
+    fn least(&self, waves: &Waves, weight: f64, [left, right]: [f64; 2], is_even: bool) -> (f64, f64, Vec<[f64; 2]>) {
         let (farthest, shortest) = (self.farthest(), STEP * 2.0 * PI / waves.mean_wavenumber());
         let mut places = vec![if is_even { 0.0 } else { left - farthest }];
         while let Some(last) = places.last().copied().filter(|last| *last < right + farthest) {
@@ -167,7 +172,29 @@ impl Weights {
             if waves.at(x)[1] < 0.0 { from = x } else { to = x }
         }
         let x = if lowest == 0 && is_even { 0.0 } else { 0.5 * (from + to) };
-        (x, waves.at(x)[0])
+        let least = waves.at(x)[0];
+        if least >= -(1.0 + COARSEST) * weight {
+            return (x, least, Vec::new());
+        }
+        let pulls = |k: &usize| values[*k] < -weight;
+        let mut all: Vec<[f64; 2]> = Vec::new();
+        for k in (0..places.len()).filter(pulls) {
+            match all.last_mut().filter(|_| k > 0 && pulls(&(k - 1))) {
+                Some([_, last]) => *last = places[k],
+                None => all.push([places[k]; 2]),
+            }
+        }
+        // between two places
+        let between = [x - 0.5 * shortest, x + 0.5 * shortest];
+        if all.is_empty() {
+            all.push(between);
+        }
+        all.iter_mut().filter(|[from, to]| from == to).for_each(|ends| *ends = between);
+        if is_even {
+            let images: Vec<[f64; 2]> = all.iter().rev().map(|[from, to]| [-to, -from]).collect();
+            all.splice(0..0, images);
+        }
+        (x, least, all)
     }
 }
 

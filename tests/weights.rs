@@ -19,7 +19,7 @@ fn solved(text: &str) -> Result<(Solution, Separation), Error> {
     Ok((solution, separation))
 }
 
-/// The critical force in units of the weight, and where the first interface opens: numbers of two independent programs.
+/// The critical force in units of the weight, and where the first interface opens: numbers of two independent programs, which tell the place of a least value to half of its digits.
 #[test]
 fn layers_begin_to_come_apart_under_the_forces_of_other_programs() {
     let line = "geometry: PlaneStrain, load: Line, force: 20.0";
@@ -37,10 +37,18 @@ fn layers_begin_to_come_apart_under_the_forces_of_other_programs() {
     ];
     for (top, base, x, force) in cases {
         let (_, found) = solved(&on(base, top, "")).unwrap();
-        let digits = if top == point { 5e-7 } else { 1e-9 };
+        let digits = if top == point { 5e-7 } else { 1e-8 };
         assert!((found.x - x).abs() < digits, "{top}, {base}: {found:?}");
         assert!((found.critical_force / force - 1.0).abs() < 2e-9, "{top}, {base}: {found:?}");
     }
+}
+
+/// On a rigid base the transmission of a layer of thickness 1 is known, t = 2 (sinh z + z cosh z)/(sinh 2z + 2z): numbers of its integrals with 25 digits.
+#[test]
+fn a_layer_on_a_rigid_base_begins_to_come_apart_where_its_closed_form_says() {
+    let (_, found) = solved(&on(0.0, "geometry: PlaneStrain, load: Line, force: 20.0", "")).unwrap();
+    assert!((found.x - 1.770_537_703_711_694_1).abs() < 1e-12, "{found:?}");
+    assert!((found.critical_force - 44.139_105_984_621_63).abs() < found.critical_force_error, "{found:?}");
 }
 
 #[test]
@@ -58,11 +66,11 @@ fn the_interface_that_is_pressed_less_opens_first() {
     let weights: Vec<f64> = solution.closed().iter().map(|own| own.weight).collect();
     assert_eq!(weights, [1.0, 2.5]);
     assert_eq!(upper.interface.to_string(), "1|2");
-    assert!((upper.x - 3.423742285).abs() < 1e-8 && (upper.critical_force / 235.546432077 - 1.0).abs() < 1e-10);
+    assert!((upper.x - 3.423742285).abs() < 1e-7 && (upper.critical_force / 235.546432077 - 1.0).abs() < 1e-10);
     // the lower interface alone: the upper one is pressed more than it
     let (_, lower) = two(2.5, 0.0);
     assert_eq!(lower.interface.to_string(), "2|3");
-    assert!((lower.x - 3.524470246).abs() < 1e-8 && (lower.critical_force / 320.340475509 - 1.0).abs() < 1e-10);
+    assert!((lower.x - 3.524470246).abs() < 1e-7 && (lower.critical_force / 320.340475509 - 1.0).abs() < 1e-10);
 }
 
 /// Whether a pressure is a weight or stands on top does not matter to one interface, and all pressures grow with weight and force together.

@@ -2,13 +2,15 @@
 use crate::contact::problem::load;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::{Problem, Side};
-use crate::solution::{Carried, Contact, Interface, Interval, OwnerKey, Solution, Stats, Warning};
+use crate::solution::{Carried, ClosedInterface, Contact, Interface, Interval, OwnerKey, Solution, Stats, Warning};
 use crate::validity;
 
 /// What was found of all contacts.
 pub(crate) struct Answer {
     /// From the top down, without those whose pressure is given: lengths in units of L, pressures in units of μ₀P'.
     pub(crate) contacts: Vec<Contact>,
+    /// Interfaces that lie on each other but for openings, in the same units; slopes per unit of P'.
+    pub(crate) closed: Vec<ClosedInterface>,
     /// The force over the one that is given or expected, and its error.
     pub(crate) force: [f64; 2],
     /// Smallest pressure inside and smallest gap outside the contacts, the latter per unit of P'.
@@ -25,8 +27,8 @@ impl Answer {
     /// Where all pressures are given.
     pub(crate) fn known(problem: &Problem) -> Self {
         let stats = Stats { modes: vec![1; problem.contacts()], ..problem.kernel.stats() };
-        let (contacts, rotations, warnings) = (Vec::new(), Vec::new(), Vec::new());
-        Self { contacts, force: [1.0, 0.0], min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings }
+        let (contacts, closed, rotations, warnings) = Default::default();
+        Self { contacts, closed, force: [1.0, 0.0], min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings }
     }
 
     /// The solution in the units of the scene, under a force that is given or expected, for a stack.
@@ -36,7 +38,7 @@ impl Answer {
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
             Some(given) => {
-                let about = problem.is_even().then(|| problem.top.middle());
+                let about = problem.has_even_answer().then(|| problem.top.middle());
                 Some(load::contact(&given.loads, *interface, force, problem.twin(), about))
             }
             None => found.next().map(|found| found.scaled(length, unit).moved(problem.top.middle())),
@@ -44,7 +46,10 @@ impl Answer {
         let contacts: Vec<Contact> = problem.sides.iter().zip(problem.interfaces).filter_map(contact).collect();
         // what lies above a contact turns with all that turns below
         let below = |contact: usize| self.rotations.iter().skip(contact).flatten().sum::<f64>();
+        let is_told = problem.origin != 0.0;
+        let even: Vec<Carried> = is_told.then_some(Carried { force, tilt: 0.0, moment: 0.0 }).into_iter().collect();
         let punches = match problem.sides.first() {
+            Some(Side::Punches(_)) if problem.has_even_answer() => even,
             Some(Side::Punches(all)) => {
                 let on = contacts[0].of_each_punch();
                 let of = |((punch, contact), rotation): ((&Placed, &Contact), &f64)| {
@@ -58,15 +63,15 @@ impl Answer {
                 };
                 all.iter().zip(&on).zip(self.rotations.iter().flatten()).map(of).collect()
             }
-            Some(Side::Profile(_)) if problem.origin != 0.0 => vec![Carried { force, tilt: 0.0, moment: 0.0 }],
+            Some(Side::Profile(_)) => even,
             _ => Vec::new(),
         };
         let rotations = (1..contacts.len()).map(|contact| below(contact) * problem.force).collect();
-        let mut warnings = self.warnings;
+        let (mut warnings, middle) = (self.warnings, problem.top.middle());
         warnings.extend(validity::warnings(problem.top, problem.kernel, &contacts));
         Solution {
             contacts,
-            closed: Vec::new(),
+            closed: self.closed.into_iter().map(|own| own.scaled(length, middle, [unit, problem.force])).collect(),
             punches,
             rotations,
             stack: stack.cloned(),

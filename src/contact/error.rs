@@ -35,6 +35,11 @@ pub enum ContactError {
         /// The angle by which it is turned, in radians.
         angle: f64,
     },
+    /// A depth of a punch where layers that weights press together come apart.
+    #[error(
+        "`depth`: layers that weights press together come apart, and the force is not found there for which the punch sinks so far"
+    )]
+    DepthWithOpenings,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -58,6 +63,7 @@ impl ContactError {
     pub fn is_input(&self) -> bool {
         match self {
             Self::NotCollocated
+            | Self::DepthWithOpenings
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
             | Self::UnevenPunch
@@ -82,6 +88,7 @@ impl ContactError {
                 }
                 .to_owned(),
             ),
+            Self::DepthWithOpenings => Some("give the force, or `half_length`, `left` or `right`".to_owned()),
             Self::UnevenPunch => Some(
                 "write it as one of `punches: [(shape: ..., at: ..., force: ...), ...]`, with `force`, `depth`, `left` or `right`"
                     .to_owned(),

@@ -18,7 +18,7 @@ use std::borrow::Cow;
 
 use crate::kernel::Kernel;
 use crate::scene::{Force, Gap, Top};
-use crate::solution::{Controlled, Interface, Ledger, OwnerKey, Solution};
+use crate::solution::{Contact, Controlled, Interface, Ledger, OwnerKey, Solution};
 
 pub use error::{ContactError, NoSolution};
 pub(crate) use interpolation::Curves;
@@ -27,6 +27,7 @@ pub(crate) use tangent::tangent;
 use answer::Answer;
 use intervals::Refused;
 use prescribed::Drive;
+use problem::iteration::Work;
 use problem::{Prescribed, Problem};
 use starts::formulas;
 use starts::order::{of_low_accuracy, solve_in_order};
@@ -40,6 +41,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) top: &'a Top,
     /// Gaps between layers before anything is loaded.
     pub(crate) gaps: &'a [(Interface, Gap)],
+    /// The pressures of weights and on top that keep interfaces closed but for openings.
+    pub(crate) weights: &'a [(Interface, f64)],
     /// Relative error wanted.
     pub(crate) tolerance: f64,
 }
@@ -68,21 +71,31 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
     answer.or_else(|error| of_low_accuracy(problem, &refused, error))
 }
 
+/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then.
+pub(crate) fn open(asked: &Asked, closed: &Solution, openings: &[(usize, [f64; 2])]) -> Result<Solution, ContactError> {
+    let (top, own) = (asked.top_of(closed), asked.kernel_with_punch());
+    let asked = &Asked { top: &top, ..*asked };
+    let problem = asked.problem_of(&own, closed);
+    if problem.prescribed.iter().any(|(_, prescribed)| prescribed.depth().is_some()) {
+        return Err(ContactError::DepthWithOpenings);
+    }
+    let to_unit = |contact: &Contact| contact.clone().scaled(own.length().recip(), 1.0).moved(-problem.origin);
+    let contacts: Vec<Contact> = closed.contacts.iter().map(to_unit).collect();
+    let of_unit = |(contact, ends): &(usize, [f64; 2])| (*contact, ends.map(|x| x / own.length() - problem.origin));
+    let openings: Vec<(usize, [f64; 2])> = openings.iter().map(of_unit).collect();
+    let start = intervals::of_openings(&problem, &contacts, &openings);
+    let (mut refused, mut work) = (Refused::default(), Work::at_most(problem.operations));
+    let answer = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
+    let answer = answer.ok_or_else(|| refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()))?;
+    Ok(answer.into_solution(&problem, closed.force(), Some(asked.stack)))
+}
+
 /// The contact equations of a solution in words, see [`intervals::ledger`].
 pub(crate) fn ledger(asked: &Asked, solution: &Solution) -> Option<Ledger> {
-    let forces = solution.punches.iter().map(|carried| carried.force).chain([solution.force]);
-    let top = asked.top.punches().map_or_else(|| asked.top.clone(), |punches| punches.with_forces(forces).into());
+    let top = asked.top_of(solution);
     let asked = &Asked { top: &top, ..*asked };
     let own = &*asked.kernel_under(solution.force());
-    let half_length = || (solution.contacts[0].innermost().right - solution.about().unwrap_or(0.0)) / own.length();
-    let mut problem = asked.problem(own, solution.force());
-    if problem.prescribed.is_empty() {
-        problem.prescribed.extend(solution.controlled.map(|controlled| match controlled {
-            Controlled::HalfLength => (0, Prescribed::End { side: 1.0, at: half_length() }),
-            _ => (0, Prescribed::Depth(0.0)),
-        }));
-    }
-    intervals::ledger(&problem, solution)
+    intervals::ledger(&asked.problem_of(own, solution), solution)
 }
 
 impl Asked<'_> {
@@ -121,9 +134,32 @@ impl Asked<'_> {
         }
     }
 
+    /// What presses, with the forces of a solution.
+    fn top_of(&self, solution: &Solution) -> Top {
+        let forces = solution.punches.iter().map(|carried| carried.force).chain([solution.force]);
+        self.top.punches().map_or_else(|| self.top.clone(), |punches| punches.with_forces(forces).into())
+    }
+
+    /// The problem of a solution, on its kernel.
+    fn problem_of<'b>(&'b self, kernel: &'b Kernel, solution: &Solution) -> Problem<'b> {
+        let half_length =
+            || (solution.contacts[0].innermost().right - solution.about().unwrap_or(0.0)) / kernel.length();
+        let mut problem = self.problem(kernel, solution.force());
+        if problem.prescribed.is_empty() {
+            problem.prescribed.extend(solution.controlled.map(|controlled| match controlled {
+                Controlled::HalfLength => (0, Prescribed::End { side: 1.0, at: half_length() }),
+                _ => (0, Prescribed::Depth(0.0)),
+            }));
+        }
+        problem
+    }
+
     /// The problem on its kernel with a force in the units of the scene.
     pub(crate) fn problem<'b>(&'b self, kernel: &'b Kernel, force: f64) -> Problem<'b> {
-        Problem::new(kernel, self.interfaces, (self.top, self.gaps), force, self.tolerance)
+        match kernel.has_openings() {
+            true => Problem::opened(kernel, self.interfaces, (self.top, self.weights), force, self.tolerance),
+            false => Problem::new(kernel, self.interfaces, (self.top, self.gaps), force, self.tolerance),
+        }
     }
 }
 

@@ -18,6 +18,9 @@ pub enum FieldError {
     /// The field was requested so far away, the farthest point at this distance from the middle, that it would take too many wavenumbers.
     #[error("a place {0:?} from the middle is too far from the contacts for the field to be computed there")]
     TooFar(f64),
+    /// The field was requested where layers that weights press together come apart.
+    #[error("layers that weights press together come apart, and stresses and displacements are not told then")]
+    Openings,
     /// The field was requested for the solution of another stack.
     #[error("the solution is of another stack than the model: its pressures do not belong to these layers")]
     OtherStack,
@@ -26,7 +29,7 @@ pub enum FieldError {
 impl FieldError {
     /// Whether the input is at fault.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::Outside { .. } | Self::TooFar(_) | Self::OtherStack)
+        matches!(self, Self::Outside { .. } | Self::TooFar(_) | Self::Openings | Self::OtherStack)
     }
 
     /// What to do about it, if that can be said.
@@ -36,6 +39,7 @@ impl FieldError {
             Self::OtherStack => {
                 Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned())
             }
+            Self::Openings => Some("press with less than the critical force".to_owned()),
             Self::Outside { .. } | Self::TooFar(_) => None,
         }
     }

@@ -346,7 +346,7 @@ mod tests {
             let soft = thin.layer(layer(0.3, 0.05)).bonded().layer(layer(0.1, 50.0)).bonded();
             let stack = soft.layer(layer(0.4, 0.1)).bonded().layer(ground).build().unwrap();
             let kernel = Kernel::new(&stack).unwrap();
-            let mut exact = Sample::new(2);
+            let mut exact = Sample::new(kernel.chains.order());
             for k in 1..400 {
                 let zeta = 0.01 * 1.02f64.powi(k);
                 kernel.chains.sample(zeta, &[true; 2], &mut exact, &mut Stats::default()).unwrap();

@@ -25,6 +25,7 @@ impl Equations<'_> {
             b: Mat::zeros(border, size),
             d: Mat::zeros(border, border),
             right: Rows::zeros(size, border),
+            is_symmetric: !self.problem.kernel.has_openings(),
         };
         let mut sums = self.sums();
         for number in 0..self.layout.zeta.len().div_ceil(AT_ONCE) {
@@ -103,13 +104,12 @@ impl Equations<'_> {
             let told = self.columns[contact].told();
             let mut own = Sums::new([chain.clone(), chain.clone()], 1.0, [rows(contact); 2], told.clone());
             own.told_columns = Some(Mat::zeros(rows(contact), told.len()));
-            let unlinked = self.problem.kernel.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate]);
             let neighbour = move |(other, _): (usize, usize)| {
                 let columns = if self.problem.is_known(other) { 1 } else { rows(other) };
                 let both = [chain.clone(), vec![(0, self.chain(other), 1.0)]];
                 Sums::new(both, -1.0, [rows(contact), columns], told.clone())
             };
-            std::iter::once(own).chain(unlinked.map(neighbour)).collect::<Vec<_>>()
+            std::iter::once(own).chain(self.unlinked(contact).map(neighbour)).collect::<Vec<_>>()
         };
         let of_laminate = |laminate: usize| {
             let lower = rows(laminate);
@@ -120,6 +120,12 @@ impl Equations<'_> {
         };
         let linked = (0..self.linked.len()).filter(|laminate| self.linked[*laminate]);
         self.problem.unknown().flat_map(of_contact).chain(linked.map(of_laminate)).collect()
+    }
+
+    /// What a contact is coupled with, but for contacts that its unknowns are counted from.
+    fn unlinked(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> {
+        let is_linked = |pair: usize| self.linked.get(pair).is_some_and(|linked| *linked);
+        self.problem.kernel.neighbours(contact).filter(move |(_, pair)| !is_linked(*pair))
     }
 
     /// Adds a block of wavenumbers to [`Self::sums`].
@@ -137,18 +143,17 @@ impl Equations<'_> {
             let mut own = vec![0.0; self.zeta(contact, nodes.clone()).len()];
             own.iter_mut().zip(self.own(contact, first)).for_each(|(sum, weight)| *sum += weight);
             let mut weights = own.clone();
-            for (_, laminate) in self.problem.kernel.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate])
-            {
-                weights.iter_mut().zip(self.coupling(laminate, first)).for_each(|(sum, weight)| *sum += weight);
+            for pair in self.problem.kernel.shared(contact).filter(|pair| !self.linked[*pair]) {
+                weights.iter_mut().zip(self.coupling(pair, first)).for_each(|(sum, weight)| *sum += weight);
             }
             // neighbours carry the same resultants and moments, which do nothing between them
             let mut columns = Weighted::new(pressed, &weights, parts, workspace);
             columns.add(&Weighted::new(&long[contact].values, &own, parts, workspace), &long[contact].places);
             add(&columns, pressed, tests);
-            for (other, laminate) in
-                self.problem.kernel.neighbours(contact).filter(|(_, laminate)| !self.linked[*laminate])
-            {
-                add(&Weighted::new(&waves[other], self.coupling(laminate, first), parts, workspace), pressed, tests);
+            for (other, pair) in self.unlinked(contact) {
+                let met = self.met(&sampled, other, contact);
+                let columns = met.as_ref().unwrap_or(&waves[other]);
+                add(&Weighted::new(columns, self.coupling(pair, first), parts, workspace), pressed, tests);
             }
         }
         for laminate in (0..self.linked.len()).filter(|laminate| self.linked[*laminate]) {
@@ -175,7 +180,7 @@ impl Equations<'_> {
         let own = &self.places[contact];
         let (terms, ends) = (self.columns[contact].terms(), self.columns[contact].ends());
         let loads = system.e.ncols() - self.turning.len() - self.loads.len();
-        let System { a, e, b, d, right } = system;
+        let System { a, e, b, d, right, .. } = system;
         for (column, at) in own.terms.0.iter().zip(own.terms.1..) {
             block.add(*column, 1.0, &rows.terms, a.col_as_slice_mut(at));
             block.add(*column, 1.0, &rows.left, b.col_as_slice_mut(at));

@@ -18,6 +18,8 @@ use crate::contact::intervals::support::{ContactInterval, Parity};
 pub(super) struct Columns<'a> {
     pub(super) intervals: &'a [ContactInterval],
     pub(super) counts: &'a [usize],
+    /// Whether nothing is even, so that there are moments.
+    moves: bool,
     /// What is subtracted from columns, and then from other tests, one after the other, so that only the first ones of a group have a resultant, a
     /// moment or, as a test, a rotation.
     pub(super) subtracted: Vec<Subtracted>,
@@ -49,9 +51,9 @@ pub(super) struct Subtracted {
 pub(super) type Carried = [f64; 2];
 
 impl<'a> Columns<'a> {
-    pub(super) fn new(intervals: &'a [ContactInterval], counts: &'a [usize]) -> Self {
+    pub(super) fn new(intervals: &'a [ContactInterval], counts: &'a [usize], moves: bool) -> Self {
         let mut next = 0;
-        let groups = intervals.chunk_by(|a, b| a.punch == b.punch).map(|group| {
+        let groups = intervals.chunk_by(ContactInterval::is_grouped_with).map(|group| {
             next += group.len();
             next - group.len()..next
         });
@@ -62,7 +64,7 @@ impl<'a> Columns<'a> {
         });
         let others = others.collect();
         let (subtracted, carried) = (Vec::new(), carried(intervals, counts));
-        let mut columns = Self { intervals, counts, subtracted, groups, others, carried };
+        let mut columns = Self { intervals, counts, moves, subtracted, groups, others, carried };
         columns.subtracted = columns.all_subtracted();
         columns
     }
@@ -106,7 +108,7 @@ impl Columns<'_> {
 
     /// Whether nothing is even, so that there are moments.
     pub(super) fn moves(&self) -> bool {
-        self.intervals.iter().any(|interval| interval.parity == Parity::None)
+        self.moves
     }
 
     /// The place of a test that is no column, behind all columns.
@@ -117,8 +119,7 @@ impl Columns<'_> {
 
     /// The first interval of the group of an interval.
     fn head(&self, interval: usize) -> usize {
-        let punch = self.intervals[interval].punch;
-        self.intervals.iter().position(|other| other.punch == punch).unwrap_or(interval)
+        self.groups.iter().find(|group| group.contains(&interval)).map_or(interval, |group| group.start)
     }
 
     /// The gap between an interval and the next.

@@ -53,16 +53,19 @@ pub(super) struct Equations<'a> {
 /// What a punch carries, if that is unknown, by the group of intervals under it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Load {
-    /// The moment about the middle of the first interval under a punch that does not turn.
-    Moment(usize),
+    /// The moment about the middle of the first interval under a punch that does not turn, or of the slope of an opening.
+    Moment { contact: usize, group: usize },
     /// The force, over the one that is expected.
     Force(usize),
 }
 
 impl Load {
-    fn group(self) -> usize {
-        let (Self::Moment(group) | Self::Force(group)) = self;
-        group
+    /// The contact and the group.
+    fn place(self) -> (usize, usize) {
+        match self {
+            Self::Moment { contact, group } => (contact, group),
+            Self::Force(group) => (0, group),
+        }
     }
 }
 
@@ -145,6 +148,11 @@ pub(super) fn fewer(counts: &[usize]) -> Vec<usize> {
     counts.iter().map(|count| count - count / 3).collect()
 }
 
+/// Which part of a wave a part of its effect comes from, and with which sign: a pressure and the slope of a gap are a quarter of a wave apart.
+fn turned(is_aside: bool, part: usize) -> [f64; 2] {
+    if is_aside { [1.0 - part as f64, 1.0 - 2.0 * part as f64] } else { [part as f64, 1.0] }
+}
+
 impl<'a> Equations<'a> {
     pub(super) fn new(
         problem: &'a Problem<'a>,
@@ -152,20 +160,26 @@ impl<'a> Equations<'a> {
         support: &'a Intervals,
         counts: &'a [usize],
     ) -> Self {
+        let moves = !problem.is_even() || support.0.iter().any(|interval| interval.parity == Parity::None);
         let mut next = 0;
         let columns = (0..problem.contacts()).map(|contact| {
             let intervals = support.of(contact);
             let counts = &counts[next..next + intervals.len()];
             next += intervals.len();
-            Columns::new(intervals, counts)
+            Columns::new(intervals, counts, moves)
         });
         let columns: Vec<Columns> = columns.collect();
         let is_linked =
             |(laminate, pair): (usize, &[Columns])| support.are_alike(laminate) && pair[0].are_like(&pair[1]);
         let linked = columns.windows(2).enumerate().map(is_linked).collect();
-        let moves = support.0.iter().any(|interval| interval.parity == Parity::None);
-        let groups = problem.groups(0);
-        let moments = (0..groups.len()).filter(|group| moves && groups[*group].moment.is_none()).map(Load::Moment);
+        let moment = |contact: usize| {
+            let is_unknown =
+                move |group: &usize| problem.group(contact, *group).is_some_and(|own| own.moment.is_none());
+            let of = move |group: usize| Load::Moment { contact, group };
+            (0..columns[contact].groups.len()).filter(is_unknown).map(of).collect::<Vec<_>>()
+        };
+        let own = (0..columns.len()).filter(|contact| moves && (*contact == 0 || problem.is_opened(*contact)));
+        let moments = own.flat_map(moment);
         let loads = moments.chain(problem.prescribed.iter().map(|(punch, _)| Load::Force(*punch))).collect();
         let of = |contact: usize| {
             let turning = problem.groups(contact).into_iter().enumerate().filter(|(_, group)| moves && group.turns);
@@ -228,16 +242,21 @@ impl<'a> Equations<'a> {
         if self.problem.is_known(contact) {
             return vec![Told { column: 0, known: 1.0, by_loads: vec![0.0; self.loads.len()] }];
         }
-        let groups = self.problem.groups(contact).into_iter().zip(&columns.groups).enumerate();
-        groups
-            .flat_map(|(number, (own, group))| self.told_of(contact, (number, &own), columns.first(group.start)))
-            .collect()
+        let groups = columns.groups.iter().enumerate();
+        let own =
+            groups.filter_map(|(number, group)| Some((number, self.problem.group(contact, number)?, group.start)));
+        own.flat_map(|(number, own, start)| self.told_of(contact, (number, &own), columns.first(start))).collect()
     }
 
     /// The columns whose amplitudes the resultant of a group of intervals tells, and its moment if nothing is even: the first ones.
     fn told_of(&self, contact: usize, (number, own): (usize, &Group), first: usize) -> Vec<Told> {
         let carried = &self.columns[contact].carried;
-        let is_carried = |load: &Load| contact > 0 || load.group() == number;
+        // what presses on top is carried by all contacts, but each opening by itself
+        let is_by_itself = contact == 0 || self.problem.is_opened(contact);
+        let is_carried = |load: &Load| match load.place() {
+            place if is_by_itself => place == (contact, number),
+            (above, _) => above == 0,
+        };
         let unit = |load: &Load| if is_carried(load) { self.carried_by(*load) } else { [0.0; 2] };
         let by_loads: Vec<[f64; 2]> = self.loads.iter().map(unit).collect();
         // what is known is all less what the unknown loads have where they count from
@@ -245,8 +264,10 @@ impl<'a> Equations<'a> {
         for (load, unit) in self.loads.iter().zip(&by_loads) {
             match load {
                 Load::Force(_) => known.iter_mut().zip(unit).for_each(|(known, unit)| *known -= unit),
-                Load::Moment(_) if is_carried(load) => known[1] += self.carried_by(Load::Force(load.group()))[1],
-                Load::Moment(_) => {}
+                Load::Moment { contact: 0, group } if is_carried(load) => {
+                    known[1] += self.carried_by(Load::Force(*group))[1]
+                }
+                Load::Moment { .. } => {}
             }
         }
         let by_resultants = by_loads.iter().map(|[resultant, _]| *resultant).collect();
@@ -317,7 +338,13 @@ impl<'a> Equations<'a> {
         let all = 0..self.columns.len();
         let waves: Vec<Samples> = all.clone().map(|contact| self.waves(contact, nodes.clone())).collect();
         // of a given pressure none
-        let long = |contact: usize| self.columns[contact].long_waves(self.zeta(contact, nodes.clone()), workspace);
+        let long = |contact: usize| {
+            let zeta = self.zeta(contact, nodes.clone());
+            match self.problem.sides[contact].given().filter(|_| self.problem.kernel.has_openings()) {
+                Some(given) => Long::of_given(given.moment, zeta, workspace),
+                None => self.columns[contact].long_waves(zeta, workspace),
+            }
+        };
         let long: Vec<Long> = all.map(long).collect();
         let whole = waves.iter().zip(&long).map(|(waves, long)| long.whole(waves, workspace)).collect();
         let size: usize = waves.iter().map(|waves| waves.values.len()).sum();
@@ -379,11 +406,15 @@ impl<'a> Equations<'a> {
         for (number, first) in (0..self.layout.zeta.len()).step_by(AT_ONCE).enumerate() {
             let sampled = self.sampled(number);
             for (set, amplitudes) in sets.iter().enumerate() {
-                let fields = sampled.waves.iter().zip(amplitudes);
-                let fields: Vec<Vec<f64>> =
-                    fields.map(|(waves, amplitudes)| waves.part(0..amplitudes.len()).combine(amplitudes)).collect();
+                let of = |((waves, long), amplitudes): ((&Samples, &Long), &Vec<f64>)| {
+                    let less = waves.part(0..amplitudes.len()).combine(amplitudes);
+                    let all = long.added_to(&less, amplitudes);
+                    [less, all]
+                };
+                let fields: Vec<[Vec<f64>; 2]> =
+                    sampled.waves.iter().zip(&sampled.long).zip(amplitudes).map(of).collect();
                 for contact in self.problem.unknown() {
-                    let response = self.response(contact, first, &fields, &sampled.long[contact], &amplitudes[contact]);
+                    let response = self.response(contact, first, &fields);
                     let nodes = first..first + self.zeta(contact, first..first + AT_ONCE).len();
                     each([set, contact], nodes, &sampled, &response);
                 }
@@ -391,30 +422,58 @@ impl<'a> Equations<'a> {
         }
     }
 
-    /// The same of one contact, from a wavenumber on.
-    fn response(&self, contact: usize, first: usize, fields: &[Vec<f64>], long: &Long, amplitudes: &[f64]) -> Vec<f64> {
-        let (parts, mut own) = (self.parts(), fields[contact].clone());
-        let count = own.len() / parts;
-        let mut response = vec![0.0; own.len()];
-        for (other, laminate) in self.problem.kernel.neighbours(contact) {
-            let there = fields[other].len() / parts;
+    /// The same of one contact, from a wavenumber on, from the waves of all pressures, first less what resultants and moments do.
+    fn response(&self, contact: usize, first: usize, fields: &[[Vec<f64>; 2]]) -> Vec<f64> {
+        let (parts, kernel) = (self.parts(), self.problem.kernel);
+        let [less, all] = &fields[contact];
+        let count = all.len() / parts;
+        let mut response = vec![0.0; all.len()];
+        for (other, pair) in kernel.neighbours(contact) {
+            let there = fields[other][0].len() / parts;
+            let weights = self.coupling(pair, first);
             for part in 0..parts {
-                let pair = own[part * count..].iter().zip(&fields[other][part * there..]);
-                let weights = self.coupling(laminate, first).iter().take(count.min(there));
-                let sums = response[part * count..].iter_mut().zip(pair).zip(weights);
-                sums.for_each(|((sum, (own, other)), weight)| *sum += weight / PI * (own - other));
+                let sums = response[part * count..].iter_mut().take(count.min(there)).zip(weights).enumerate();
+                match kernel.has_openings() {
+                    // neighbours have resultants and moments in common
+                    false => sums.for_each(|(k, (sum, weight))| {
+                        *sum += weight / PI * (less[part * count + k] - fields[other][0][part * there + k]);
+                    }),
+                    true => {
+                        let [from, sign] = turned(contact == 0 || other == 0, part);
+                        let from = from as usize * there;
+                        sums.for_each(|(k, (sum, weight))| *sum -= sign * weight / PI * fields[other][1][from + k]);
+                    }
+                }
             }
         }
-        let told = long.places.iter().enumerate().filter(|(_, place)| **place < amplitudes.len());
-        for (number, place) in told {
-            let column = own.iter_mut().zip(long.values.column(number));
-            column.for_each(|(sum, value)| *sum += amplitudes[*place] * value);
-        }
-        for (response, own) in response.chunks_mut(count.max(1)).zip(own.chunks(count.max(1))) {
+        for (response, own) in response.chunks_mut(count.max(1)).zip(all.chunks(count.max(1))) {
             let sums = response.iter_mut().zip(own).zip(self.own(contact, first));
             sums.for_each(|((sum, own), weight)| *sum += weight / PI * own);
         }
         response
+    }
+
+    /// The columns of one contact as another one meets them through a coupling, if not less what resultants and moments do: of openings with that, and a quarter of a wave aside between a pressure
+    /// and the slope of a gap.
+    pub(super) fn met(&self, sampled: &Sampled, other: usize, contact: usize) -> Option<Samples> {
+        let (waves, long, parts) = (&sampled.waves[other], &sampled.long[other], self.parts());
+        if !self.problem.kernel.has_openings() {
+            return None;
+        }
+        let mut met = Samples::zeros(waves.rows(), waves.count());
+        let count = waves.rows() / parts;
+        for column in 0..waves.count() {
+            let told = long.places.iter().position(|place| *place == column).map(|told| long.values.column(told));
+            for part in 0..parts {
+                let [from, sign] = turned(contact == 0 || other == 0, part);
+                let from = from as usize * count;
+                for (k, into) in met.column_mut(column)[part * count..(part + 1) * count].iter_mut().enumerate() {
+                    let long = told.map_or(0.0, |told| told[from + k]);
+                    *into = sign * (waves.column(column)[from + k] + long);
+                }
+            }
+        }
+        Some(met)
     }
 
     /// The amplitudes of all columns of a contact, of the pressures of all intervals.

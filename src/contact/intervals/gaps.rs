@@ -2,6 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
+use crate::contact::intervals::closed;
 use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::recontact::{Recontact, recontact};
@@ -10,7 +11,7 @@ use crate::contact::problem::Problem;
 use crate::contact::problem::abel;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, PLACES, SAFETY};
 use crate::contact::problem::twin::Twin;
-use crate::numeric::trigonometry::sin_cos;
+use crate::numeric::trigonometry::{self, sin_cos};
 use crate::numeric::vector::{LANES, Lanes, vectorised};
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
@@ -28,6 +29,8 @@ pub(super) struct Signs {
     pub(super) ends: Vec<[f64; 2]>,
     /// Intervals with next to no force that are left out.
     pub(super) recontacts: Vec<Recontact>,
+    /// The smallest pressure on each interface that lies on another one, and where it is.
+    pub(super) closed: Vec<(f64, f64)>,
 }
 
 /// Where a pressure or a gap is negative.
@@ -54,7 +57,9 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
         let mut own = level.support.0.iter().zip(&unknown).filter(|(interval, _)| interval.contact == contact);
         own.any(|(_, ends)| ends.contains(&ENDLESS))
     };
-    let opens = |contact: &usize| !problem.sides[*contact].is_joined() && !decays(*contact);
+    let opens =
+        |contact: &usize| !problem.sides[*contact].is_joined() && !problem.is_opened(*contact) && !decays(*contact);
+    signs.closed = closed::check(problem, level, error)?;
     let open: Vec<usize> = problem.unknown().filter(opens).collect();
     if open.is_empty() {
         return Ok(signs);
@@ -111,6 +116,13 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Signs, Fault> {
             ends.push([0.0; 2]);
             continue;
         }
+        if interval.opens {
+            ends.push([0.0; 2]);
+            if least < -COARSE * most {
+                return Err(Fault::Tension);
+            }
+            continue;
+        }
         smallest[contact] = smallest[contact].min(least);
         if interval.is_even() {
             tensions[contact] = -least / most;
@@ -123,7 +135,7 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Signs, Fault> {
         return Err(Fault::Tension);
     }
     let min_pressure = smallest.into_iter().fold(0.0, f64::min);
-    Ok(Signs { min_pressure, min_gap: 0.0, tensions, ends, recontacts: Vec::new() })
+    Ok(Signs { min_pressure, min_gap: 0.0, tensions, ends, recontacts: Vec::new(), closed: Vec::new() })
 }
 
 /// How far from the left and the right end pressures, from the right end inwards, are no larger than so much, in half-lengths; nothing at corners, or where
@@ -175,7 +187,7 @@ fn beside(problem: &Problem, intervals: &[ContactInterval], contact: usize, span
 }
 
 /// The gaps that a solution leaves.
-struct Gaps<'a> {
+pub(super) struct Gaps<'a> {
     equations: Equations<'a>,
     level: &'a Approximation,
     /// The slopes of waves outside each contact, both parts of exp(iζx).
@@ -183,7 +195,7 @@ struct Gaps<'a> {
 }
 
 impl<'a> Gaps<'a> {
-    fn new(problem: &'a Problem<'a>, layout: &'a Layout, level: &'a Approximation) -> Self {
+    pub(super) fn new(problem: &'a Problem<'a>, layout: &'a Layout, level: &'a Approximation) -> Self {
         let mut equations = Equations::new(problem, layout, &level.support, &level.counts);
         equations.keeps = 0;
         let none = |contact: usize| [0, 1].map(|_| vec![0.0; layout.own[contact].reach]);
@@ -195,6 +207,21 @@ impl<'a> Gaps<'a> {
             }
         });
         Self { equations, level, waves }
+    }
+
+    /// The pressure on an interface that lies on another one, which is `weight` far away, at places outside openings.
+    pub(super) fn pressures(&self, contact: usize, weight: f64, places: &[f64]) -> Vec<f64> {
+        let (Equations { layout, columns, .. }, [even, odd]) = (&self.equations, &self.waves[contact]);
+        let amplitudes = self.equations.amplitudes(contact, &self.level.solved.pressures);
+        let beside = columns[contact].slopes_at(places, None, &[], Some(&amplitudes));
+        let of = |(k, x): (usize, &f64)| {
+            let phases: Vec<f64> = layout.zeta[..even.len()].iter().map(|zeta| zeta * x).collect();
+            let [sines, cosines, _] = trigonometry::waves(&phases);
+            let waves = even.iter().zip(&sines).map(|(even, sine)| even * sine).sum::<f64>()
+                - odd.iter().zip(&cosines).map(|(odd, cosine)| odd * cosine).sum::<f64>();
+            weight + waves + layout.own[contact].limit * beside[(k, 0)]
+        };
+        places.iter().enumerate().map(of).collect()
     }
 
     /// Places from one end of a gap on, dense next to it, x = from + (to − from) (k/n)², and the gap there.

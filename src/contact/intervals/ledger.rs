@@ -2,15 +2,21 @@
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::columns::Other;
 use crate::contact::intervals::equations::{Equations, Load};
-use crate::contact::intervals::of_contacts;
+use crate::contact::intervals::of_openings;
 use crate::contact::problem::Problem;
 use crate::solution::{Contact, Ledger, LedgerEntry, Solution};
 
 /// The contact equations on the intervals of a solution, with as many terms as it has; `None` where it is of low accuracy, and no solution of these equations.
 pub(crate) fn ledger(problem: &Problem, solution: &Solution) -> Option<Ledger> {
     let own = |contact: &Contact| contact.clone().scaled(problem.kernel.length().recip(), 1.0).moved(-problem.origin);
-    let contacts: Vec<Contact> = problem.unknown().map(|contact| own(&solution.contacts[contact])).collect();
-    let support = of_contacts(problem, &contacts)?;
+    let contacts = problem.unknown().filter_map(|contact| solution.contacts.get(contact));
+    let contacts: Vec<Contact> = contacts.map(own).collect();
+    let place = |x: f64| x / problem.kernel.length() - problem.origin;
+    let openings =
+        solution.closed.iter().enumerate().flat_map(|(number, own)| {
+            own.openings.iter().map(move |one| (number + 1, [one.left, one.right].map(place)))
+        });
+    let support = of_openings(problem, &contacts, &openings.collect::<Vec<_>>())?;
     let counts = solution.stats.terms.concat();
     let negligible = negligible(problem.tolerance);
     let layout = Layout::new(problem.kernel, &Lengths::of(problem, &support, &counts, negligible), negligible, 0.0)?;
@@ -29,11 +35,27 @@ impl Equations<'_> {
             let free_ends = corners.filter(|is_corner| !is_corner).count();
             let means = columns.others.iter().filter(|other| matches!(other, Other::Mean(_))).count();
             let turning = self.turning.iter().filter(|(own, _)| *own == contact).count();
-            let moments = self.loads.iter().filter(|load| contact == 0 && matches!(load, Load::Moment(_))).count();
+            let is_moment = |load: &&Load| matches!(load, Load::Moment { contact: own, .. } if *own == contact);
+            let moments = self.loads.iter().filter(is_moment).count();
             let forces = self.loads.iter().filter(|load| contact == 0 && matches!(load, Load::Force(_))).count();
             let entry = |(kind, count)| LedgerEntry { interface, kind, count };
+            let is_opened = self.problem.is_opened(contact);
+            let [terms, tested, alone, between] = match is_opened {
+                true => [
+                    "terms of slopes of gaps",
+                    "pressures that vanish, tested with cos kφ, k > 0",
+                    "pressures that vanish, tested with k = 0",
+                    "gaps that close again",
+                ],
+                false => [
+                    "terms of pressures",
+                    "slopes of gaps that are closed, tested with cos kφ, k > 0",
+                    "slopes of gaps that are closed, tested with k = 0",
+                    "resultants and moments of pressures",
+                ],
+            };
             let all = [
-                ("terms of pressures", places.terms.0.len() + told),
+                (terms, places.terms.0.len() + told),
                 ("intensities of singular pressures at ends", columns.ends()),
                 ("places of ends that move", free_ends),
                 ("angles by which bodies turn", turning),
@@ -41,10 +63,10 @@ impl Equations<'_> {
             ];
             unknowns.extend(all.map(entry).into_iter().filter(|entry| entry.count > 0));
             let all = [
-                ("slopes of gaps that are closed, tested with cos kφ, k > 0", columns.terms()),
-                ("slopes of gaps that are closed, tested with k = 0", means),
+                (tested, columns.terms()),
+                (alone, means),
                 ("gaps between intervals, closed at both ends", places.left.0.len() - told - means),
-                ("resultants and moments of pressures", told - moments),
+                (between, told - moments),
                 ("intensities that vanish at ends that move", free_ends),
                 ("half-length of the contact of the punch, or its depth", forces),
             ];

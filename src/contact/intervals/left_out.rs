@@ -26,10 +26,11 @@ pub(super) fn left_out(
     for laminate in 0..layout.coupling.len() {
         let end = last(layout.coupling[laminate].len());
         // the last wavenumber lies before the end of the integral
-        if kernel.uncoupled(laminate, shortest[laminate].min(shortest[laminate + 1]), negligible) > 1.25 * end {
+        let [above, below] = kernel.pair(laminate);
+        if kernel.uncoupled(laminate, shortest[above].min(shortest[below]), negligible) > 1.25 * end {
             let left = (kernel.coupling(laminate, end) / kernel.least(laminate)).abs() / end;
-            let left = SAFETY * differ(solution, laminate) * left;
-            all[laminate..=laminate + 1].iter_mut().for_each(|own| *own += left);
+            let differ = if kernel.has_openings() { 1.0 } else { differ(solution, laminate) };
+            [above, below].into_iter().for_each(|own| all[own] += SAFETY * differ * left);
         }
     }
     all

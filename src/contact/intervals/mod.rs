@@ -1,6 +1,7 @@
 //! Contacts in any list of intervals: bodies that touch about the middle and again farther out, are apart about the middle, or touch anywhere where
 //! nothing is even.
 mod assemble;
+mod closed;
 mod columns;
 mod depth;
 mod derivatives;
@@ -34,7 +35,8 @@ use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::{Expected, Prescribed, Problem};
 use crate::numeric::largest;
-use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
+use crate::solution::{self, Contact, Interface, Stats, Strip, Warning, WarningCode};
+pub(super) use closed::of_openings;
 use errors::Errors;
 use gaps::Fault;
 pub(super) use ledger::ledger;
@@ -52,6 +54,8 @@ const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
 /// Signs are looked at before there are more terms on an interval.
 const MANY: usize = 64;
+/// Intervals whose middles are less than this from the middle of what is even, in half-lengths, are about it.
+const EVEN: f64 = 1e-6;
 /// A layout serves lists whose ends differ by this much, relative.
 const LAYOUT_SERVES: f64 = 0.1;
 
@@ -73,7 +77,7 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
         let own = start.of(contact);
         !own.is_empty() && own.iter().all(|interval| interval.half.is_normal() && interval.middle.is_finite())
     };
-    problem.unknown().all(is_there).then_some(start)
+    problem.unknown().filter(|contact| !problem.is_opened(*contact)).all(is_there).then_some(start)
 }
 
 /// The list on which contacts were found, in units of L; none where a contact has none.
@@ -197,11 +201,12 @@ fn answered(
         factorisations: work.factorisations,
         ..problem.kernel.stats()
     };
-    let contacts = found(problem, &level, &errors);
+    let (contacts, closed) = (found(problem, &level, &errors), closed::found(problem, &level, &errors, &signs.closed));
+    let closed = closed.ok_or(None)?;
     let (min_pressure, min_gap) = (signs.min_pressure, signs.min_gap);
     let force_error = if problem.prescribed.is_empty() { 0.0 } else { errors.force * level.solved.force };
     let force = [level.solved.force, force_error];
-    Ok(Answer { contacts, force, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
+    Ok(Answer { contacts, closed, force, min_pressure, min_gap, rotations: level.solved.rotations, stats, warnings })
 }
 
 /// Whether terms resolve the layers at the faces of all contacts. Solutions with fewer terms do not tell their errors.
@@ -262,11 +267,14 @@ impl Lengths {
                 false => past.max(asymptote.exponentials_suffice(least, negligible)),
             });
             exponentials.push(if is_one { Vec::new() } else { asymptote.exponentials() });
-            shortest.push(least);
+            // nothing opens there
+            shortest.push(if intervals.is_empty() && problem.is_opened(contact) { 1.0 } else { least });
         }
         for (i, side) in problem.sides.iter().enumerate() {
             if let Some(given) = side.given() {
-                (ends[i], shortest[i]) = (given.half_length.max(ends[i + 1]), shortest[i + 1]);
+                let all = shortest.iter().copied().fold(1.0, f64::min);
+                let (end, least) = if problem.is_opened(i + 1) { (0.0, all) } else { (ends[i + 1], shortest[i + 1]) };
+                (ends[i], shortest[i]) = (given.half_length.max(end), least);
             }
         }
         Self { ends, shortest, turned, exponentials }
@@ -329,6 +337,23 @@ impl Approximation {
     }
 }
 
+/// A contact that is even but was not solved as one, from its right half.
+fn evened(interface: Interface, intervals: &[solution::Interval], strips: Vec<Strip>, error: f64) -> Contact {
+    let is_about_middle = |strip: &Strip| strip.at.abs() < EVEN * strip.extent;
+    let right = intervals.iter().filter(|own| own.right > 0.0).map(|own| match own.left < 0.0 {
+        true => solution::Interval::new([0.0; 2], [own.right, own.right_error]),
+        false => *own,
+    });
+    let strips = strips.into_iter().filter(|strip| strip.at > 0.0 || is_about_middle(strip));
+    let strips = strips.map(|strip| match is_about_middle(&strip) {
+        true => Strip { at: 0.0, tip_at: 0.0, skew: Vec::new(), ..strip },
+        false => strip,
+    });
+    let strips: Vec<Strip> = strips.collect();
+    let middle = strips.iter().map(|strip| strip.pressure(0.0)).sum();
+    Contact::even(interface, &right.collect::<Vec<_>>(), &strips, [middle, error])
+}
+
 /// What was found of each contact.
 fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Contact> {
     let pressures = level.middle_pressures(&level.solved.pressures);
@@ -369,11 +394,14 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Conta
             };
             return Contact::even(problem.interfaces[contact], &intervals, &strips, peak);
         }
+        if problem.has_even_answer() {
+            return evened(problem.interfaces[contact], &intervals, strips, peak_error);
+        }
         let force = |number: &usize| level.regular[*number].force(&level.support.0[*number]);
         let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));
         let peak = widest.map_or(0.0, |widest| pressures[widest]);
         let numbers = level.support.of(contact).iter().map(|interval| interval.punch).collect();
         Contact::new(problem.interfaces[contact], intervals, strips, None, [peak, peak_error], numbers)
     };
-    problem.unknown().map(of).collect()
+    problem.unknown().filter(|contact| !problem.is_opened(*contact)).map(of).collect()
 }

@@ -71,8 +71,11 @@ impl Approximation {
         let support = moved(problem, &self.support, &steps)?;
         // where an end has moved no pressure is singular but for what fewer terms make
         let mut all = steps.iter().zip(looks).map(|(step, look)| if *step == 0.0 { 0.0 } else { look.q });
-        let taken: Vec<Vec<f64>> =
-            support.0.iter().map(|interval| all.by_ref().take(interval.sides().len()).collect()).collect();
+        let taken: Vec<Vec<f64>> = support
+            .0
+            .iter()
+            .map(|own| own.sides().iter().zip(all.by_ref()).map(|(side, q)| own.sign(*side) * q).collect())
+            .collect();
         let on = |solved: Solved| {
             let places = self.support.0.iter().zip(&support.0).zip(&taken);
             let of = |(pressure, ((before, after), taken)): (
@@ -401,7 +404,8 @@ fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
         let own = &all[*number];
         // each punch keeps an interval
         let alike = support.of(own.contact).iter().filter(|other| other.punch == own.punch);
-        pressures[*number].force(own) < ROUNDING && alike.count() > 1
+        let force = pressures[*number].force(own);
+        if own.opens { force <= 0.0 } else { force < ROUNDING && alike.count() > 1 }
     };
     if let Some(number) = (0..all.len()).find(vanishes) {
         let mut all = all.clone();
@@ -410,7 +414,8 @@ fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
     }
     let grows = |end: End| {
         let [left, right] = [0, 1].map(|place| pressures[end.interval].singular.get(place).copied());
-        if end.side > 0.0 { right.or(left) } else { left }.is_some_and(|q| q > 0.0)
+        let sign = all[end.interval].sign(end.side);
+        if end.side > 0.0 { right.or(left) } else { left }.is_some_and(|q| sign * q > 0.0)
     };
     let meets = |end: &End| {
         let own = &all[end.interval];

@@ -1,4 +1,4 @@
-//! The pressure of one interval, and what it says of its ends.
+//! The pressure of one interval, and what it says of its ends; of an opening the slope of the gap, and the gap in place of the pressure where its size and its sign matter.
 use std::f64::consts::PI;
 
 use crate::contact::intervals::support::ContactInterval;
@@ -67,8 +67,11 @@ impl Pressure {
         Strip { at: interval.middle, skew: every_other(1), corners, tip, tip_at, ..series }
     }
 
-    /// The pressure at angles πk/places, k = 1, 2, ..., from the right end inwards; of what is even, on the right half.
+    /// The pressure, or the gap over the half-length, at angles πk/places, k = 1, 2, ..., from the right end inwards; of what is even, on the right half.
     pub(super) fn inside(&self, interval: &ContactInterval, places: usize) -> Vec<f64> {
+        if interval.opens {
+            return (1..places).map(|k| self.gap(interval, PI * k as f64 / places as f64)).collect();
+        }
         let (strip, last) = (self.strip(interval), if interval.is_even() { places / 2 } else { places - 1 });
         (1..=last).map(|k| strip.pressure(interval.place(PI * k as f64 / places as f64))).collect()
     }
@@ -87,20 +90,44 @@ impl Pressure {
         PER_MODE * interval.order(self.terms.len() - 1)
     }
 
-    /// The pressure in the middle of the interval, per unit of P'.
+    /// The gap of an opening over its half-length at an angle: the integral of its slope from the left end.
+    pub(super) fn gap(&self, interval: &ContactInterval, phi: f64) -> f64 {
+        let part = |k: usize| (k as f64 * phi).sin() / k as f64;
+        let term = |(m, y): (usize, &f64)| match interval.order(m) {
+            1 => 0.5 * y * (PI - phi + part(2)),
+            j => 0.5 * y / j as f64 * (part(j + 1) - part(j - 1)),
+        };
+        let end = |(side, q): (&f64, &f64)| 0.5 * q * (PI - phi - side * phi.sin());
+        let ends: f64 = interval.sides().iter().zip(&self.singular).map(end).sum();
+        interval.unit() * (self.terms.iter().enumerate().map(term).sum::<f64>() + ends)
+    }
+
+    /// How large its terms are: about 1 of a pressure.
+    pub(super) fn size(&self, interval: &ContactInterval) -> f64 {
+        let terms = self.terms.iter().enumerate().map(|(m, y)| y.abs() / interval.order(m) as f64);
+        if interval.opens { terms.sum() } else { 1.0 }
+    }
+
+    /// The pressure in the middle of the interval, per unit of P'; of an opening the gap over the half-length.
     pub(super) fn middle(&self, interval: &ContactInterval) -> f64 {
+        if interval.opens {
+            return self.gap(interval, 0.5 * PI);
+        }
         self.strip(interval).pressure(interval.middle)
     }
 
-    /// The resultant on the interval and its mirror image.
+    /// The resultant on the interval and its mirror image; of an opening the gap in the middle, over its half-length.
     pub(super) fn force(&self, interval: &ContactInterval) -> f64 {
+        if interval.opens {
+            return self.middle(interval);
+        }
         let of_ends: f64 = self.singular.iter().sum();
         self.terms[0] + self.tip.term(interval, 0) + if self.singular.len() == 1 { 2.0 * of_ends } else { of_ends }
     }
 
     /// Its mean over the interval: with this tension is compared, since pressures next to tips and corners are as large as one looks closely.
     pub(super) fn mean(&self, interval: &ContactInterval) -> f64 {
-        interval.twin.mean * interval.unit() * self.force(interval)
+        if interval.opens { self.middle(interval) } else { interval.twin.mean * interval.unit() * self.force(interval) }
     }
 
     /// The same with no singularity at an end that is found: what is left of it is rounding.
@@ -144,7 +171,7 @@ impl Pressure {
         averaged
     }
 
-    /// The step of an end outwards, in half-lengths: the sign of the intensity q says which way, and next to the end the pressure is unit (κφ + q/φ), as of an end
+    /// The step of an end outwards, in half-lengths: the sign of the intensity q, in which the pressure there is positive, says which way, and next to the end that is unit (κφ + q/φ), as of an end
     /// farther out by q/κ.
     pub(super) fn step(&self, interval: &ContactInterval, side: f64, q: f64) -> f64 {
         let sign = |m: usize| if side > 0.0 || interval.order(m) % 2 == 1 { 1.0 } else { -1.0 };
@@ -154,12 +181,12 @@ impl Pressure {
         let regular: f64 = self.terms.iter().enumerate().map(term).sum();
         let [near, far] = [1.0 - side * self.tip.at, 1.0 + side * self.tip.at];
         // (1 − cos φ)/(2 sin φ) of the other end is φ/4 here
-        let kappa = regular
-            + interval.twin.norm * self.tip.strength * (far / near).sqrt()
-            + match self.singular[..] {
-                [left, right] => 0.25 * if side > 0.0 { left } else { right },
-                _ => 0.0,
-            };
+        let other = match self.singular[..] {
+            [left, right] => 0.25 * if side > 0.0 { left } else { right },
+            _ => 0.0,
+        };
+        let tip = interval.twin.norm * self.tip.strength * (far / near).sqrt();
+        let kappa = interval.sign(side) * (regular + tip + other);
         if q > 0.0 {
             // beyond where bodies pull they have parted: an end out there may follow pressures next to nothing to anywhere
             let is_long = kappa <= 0.0 || q > MINOR * kappa;
@@ -188,7 +215,8 @@ impl Pressure {
         let phi = |k: f64| if side > 0.0 { angle(k) } else { PI - angle(k) };
         let last = if interval.is_even() { places / 2 } else { places - 1 };
         let strip = self.strip(interval);
-        let all: Vec<f64> = (0..=last).map(|k| strip.pressure(interval.place(phi(k as f64)))).collect();
+        let at = |k: usize| interval.sign(side) * strip.pressure(interval.place(phi(k as f64)));
+        let all: Vec<f64> = (0..=last).map(at).collect();
         let largest = (0..=last).max_by(|a, b| all[*a].total_cmp(&all[*b]))?;
         let last = all[..largest].iter().rposition(|p| *p < -least)?;
         let zero = (last..largest).take_while(|k| all[*k] < 0.0).last()?;

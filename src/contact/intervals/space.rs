@@ -151,7 +151,7 @@ impl Columns<'_> {
     }
 
     /// [`Self::for_slopes`] at some places, one row for each: on a half-plane besides some exponentials.
-    fn slopes_at(
+    pub(super) fn slopes_at(
         &self,
         places: &[f64],
         within: Option<usize>,
@@ -311,6 +311,12 @@ pub(super) fn tests(side: &Side, interval: &ContactInterval, count: usize) -> Ve
             rows.enumerate().map(|(m, value)| alternating(m) * value).collect()
         }
         Side::Profile(profile) => profile.rows(Span::anywhere(interval.middle, interval.half), count + 1),
+        // what is wanted of the change of the pressure, which is to be zero: minus the pressure of the weights
+        Side::Openings(weight) => {
+            let mut tests = vec![0.0; count + 1];
+            tests[0] = -PI * weight;
+            tests
+        }
         _ => Vec::new(),
     }
 }

@@ -13,7 +13,7 @@ const WEAK: f64 = 1e-7;
 
 /// What the pressure says of one end.
 pub(super) struct Look {
-    /// The intensity of the singular pressure there.
+    /// The intensity of the singular pressure there, with the sign in which the pressure there is positive.
     pub(super) q: f64,
     /// The step outwards, in half-lengths.
     pub(super) step: f64,
@@ -69,12 +69,13 @@ pub(super) fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Op
 /// What pressures say of all ends; those at corners are where they are unless bodies pull there, where nothing is even.
 pub(super) fn looks(support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
     let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
-        let weak = WEAK.max((MINOR * pressure.missing(interval)).min(COARSE));
-        let of = |(side, q): (&f64, &f64)| match interval.is_corner(*side) && (*q >= 0.0 || interval.is_even()) {
+        let weak = WEAK.max((MINOR * pressure.missing(interval)).min(COARSE)) * pressure.size(interval);
+        let signed = |(side, q): (&f64, &f64)| (*side, interval.sign(*side) * q);
+        let of = |(side, q): (f64, f64)| match interval.is_corner(side) && (q >= 0.0 || interval.is_even()) {
             true => Look { q: 0.0, step: 0.0, weak },
-            false => Look { q: *q, step: pressure.step(interval, *side, *q), weak },
+            false => Look { q, step: pressure.step(interval, side, q), weak },
         };
-        interval.sides().iter().zip(&pressure.singular).map(of).collect()
+        interval.sides().iter().zip(&pressure.singular).map(signed).map(of).collect()
     };
     support.0.iter().zip(pressures).flat_map(of).collect()
 }

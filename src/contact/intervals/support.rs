@@ -1,4 +1,4 @@
-//! Where bodies touch, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
+//! Where bodies touch, or of those that lie on each other where they are apart, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
 use std::f64::consts::PI;
 
 use crate::contact::problem::modes::alternating;
@@ -31,6 +31,8 @@ pub(crate) struct ContactInterval {
     pub(super) middle: f64,
     pub(super) half: f64,
     pub(super) parity: Parity,
+    /// Whether the bodies are apart there, and lie on each other beside it: what presses in a contact is the slope of the gap then.
+    pub(super) opens: bool,
     /// Whether the left and the right end stay where they are: at the corners of a flat punch, where the pressure may be singular, or where that is prescribed.
     pub(super) corners: [bool; 2],
 }
@@ -48,19 +50,36 @@ impl ContactInterval {
     /// From one place to another on x ≥ 0 where all is even; about x = 0 if it begins there.
     pub(super) fn even(twin: Twin, contact: usize, [from, to]: [f64; 2]) -> Self {
         let (middle, parity) = if from > 0.0 { (0.5 * (from + to), Parity::Pair) } else { (0.0, Parity::Even) };
-        Self { contact, twin, punch: 0, middle, half: to - middle, parity, corners: [false; 2] }
+        Self { contact, twin, punch: 0, middle, half: to - middle, parity, opens: false, corners: [false; 2] }
     }
 
     /// From one place to another where nothing is even.
     pub(super) fn anywhere(contact: usize, punch: usize, [left, right]: [f64; 2]) -> Self {
         let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-        Self { contact, twin: Twin::Plane, punch, middle, half, parity: Parity::None, corners: [false; 2] }
+        Self {
+            contact,
+            twin: Twin::Plane,
+            punch,
+            middle,
+            half,
+            parity: Parity::None,
+            opens: false,
+            corners: [false; 2],
+        }
+    }
+
+    /// An opening from one place to another.
+    pub(super) fn opening(contact: usize, ends: [f64; 2]) -> Self {
+        Self { opens: true, ..Self::anywhere(contact, 0, ends) }
     }
 
     /// An interval of the same contact and punch between other places, without corners.
     pub(super) fn between(&self, ends: [f64; 2]) -> Self {
         let is_even = self.parity != Parity::None;
-        if is_even { Self::even(self.twin, self.contact, ends) } else { Self::anywhere(self.contact, self.punch, ends) }
+        match is_even {
+            true => Self::even(self.twin, self.contact, ends),
+            false => Self { opens: self.opens, ..Self::anywhere(self.contact, self.punch, ends) },
+        }
     }
 
     /// The same interval with ends at corners, or not.
@@ -76,6 +95,16 @@ impl ContactInterval {
     /// Whether it is its own mirror image.
     pub(super) fn is_even(&self) -> bool {
         self.parity == Parity::Even
+    }
+
+    /// The sign of what presses next to an end, with which this is positive: the gap of an opening falls at its right end.
+    pub(super) fn sign(&self, side: f64) -> f64 {
+        if self.opens { -side } else { 1.0 }
+    }
+
+    /// Whether the next interval is under the same punch, or of the same laminates: openings are each by itself.
+    pub(super) fn is_grouped_with(&self, next: &Self) -> bool {
+        self.punch == next.punch && !self.opens
     }
 
     /// Where it begins, on x ≥ 0 if all is even.
@@ -164,7 +193,7 @@ impl Intervals {
     pub(super) fn are_alike(&self, laminate: usize) -> bool {
         let [above, below] = [self.of(laminate), self.of(laminate + 1)];
         let alike = |(above, below): (&ContactInterval, &ContactInterval)| {
-            above.parity == below.parity && (above.half / below.half).ln().abs() < ALIKE.ln()
+            above.parity == below.parity && !below.opens && (above.half / below.half).ln().abs() < ALIKE.ln()
         };
         above.len() == below.len() && above.iter().zip(below).all(alike)
     }

@@ -39,7 +39,8 @@ pub(super) fn tension(problem: &Problem, level: &Approximation) -> Tension {
         let is_certain = |k: &usize| own.pressures[*k] < -SAFETY * (own.pressures[*k] - coarser[*k]).abs();
         let certain: Vec<usize> = tensile.iter().copied().filter(is_certain).collect();
         // as a part of what its punch carries: each punch keeps an interval
-        let part = pressure.force(interval) / problem.groups(interval.contact)[interval.punch].share;
+        let share = problem.group(interval.contact, interval.punch).map_or(1.0, |group| group.share);
+        let part = if interval.opens { 1.0 } else { pressure.force(interval) / share };
         let is_like = |other: &&ContactInterval| other.punch == interval.punch;
         let is_light = part < COARSE && level.support.of(interval.contact).iter().filter(is_like).count() > 1;
         let parts = match certain[..] {

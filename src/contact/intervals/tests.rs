@@ -9,7 +9,7 @@ use super::equations::{Equations, Solved};
 use super::kept::Kept;
 use super::newton::converge;
 use super::pressure::Pressure;
-use super::support::{ContactInterval, Intervals};
+use super::support::{ContactInterval, Intervals, Parity};
 use super::{Refused, of_formulas, refine, solve};
 use crate::contact::integrals::layout::{Layout, Lengths};
 use crate::contact::problem::Problem;
@@ -218,7 +218,7 @@ fn columns_are_transforms_of_pressures() {
         ],
     ] {
         let counts = vec![5; intervals.len()];
-        let columns = Columns::new(&intervals, &counts);
+        let columns = Columns::new(&intervals, &counts, intervals[0].parity == Parity::None);
         let zeta = [1e-4, 0.3, 2.0, 9.0];
         let mut waves = columns.waves(&zeta, &Arc::default());
         let long = columns.long_waves(&zeta, &Arc::default());
@@ -266,7 +266,7 @@ fn columns_are_transforms_of_pressures() {
 #[test]
 fn long_waves_are_felt_through_resultants_and_moments() {
     let intervals = [ContactInterval::anywhere(0, 0, [-0.3, 0.9]), ContactInterval::anywhere(0, 0, [1.0, 1.1])];
-    let columns = Columns::new(&intervals, &[6, 4]);
+    let columns = Columns::new(&intervals, &[6, 4], intervals[0].parity == Parity::None);
     let zeta = [1e-5, 2e-5];
     let waves = columns.waves(&zeta, &Arc::default());
     let carried = columns.carried.len();

@@ -125,7 +125,7 @@ fn examined(
     }
     refine(problem, level.clone(), false, work).map_err(|fault| match fault {
         Some(Fault::Penetration { contact, punch, at, depth, over }) => {
-            let next = with_interval(&level.support, (contact, punch), at, over);
+            let next = with_interval(problem, &level.support, (contact, punch), at, over);
             Some(Wrong { next, depth, at: Some(at) })
         }
         Some(Fault::Tension | Fault::Unknown) | None => None,
@@ -160,10 +160,19 @@ impl Intervals {
 }
 
 /// The list with an interval about a place of penetration, half as wide as that.
-fn with_interval(support: &Intervals, (contact, punch): (usize, usize), at: f64, over: [f64; 2]) -> Intervals {
+fn with_interval(
+    problem: &Problem,
+    support: &Intervals,
+    (contact, punch): (usize, usize),
+    at: f64,
+    over: [f64; 2],
+) -> Intervals {
     let mut all = support.0.clone();
     let ends = over.map(|end| 0.5 * (at + end));
-    let interval = ContactInterval { contact, punch, ..all[0] }.between(ends);
+    let interval = match problem.is_opened(contact) {
+        true => ContactInterval::opening(contact, ends),
+        false => ContactInterval { contact, punch, ..all[0] }.between(ends),
+    };
     let place = all.partition_point(|other| (other.contact, other.middle) < (contact, interval.middle));
     all.insert(place, interval);
     Intervals(all)

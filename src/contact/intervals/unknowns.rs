@@ -59,7 +59,7 @@ impl Equations<'_> {
         let rotations = self.columns.iter().enumerate().map(of_contact).collect();
         let of_load = |(load, value): (&Load, &f64)| match load {
             Load::Force(punch) => Some((*punch, *value)),
-            Load::Moment(_) => None,
+            Load::Moment { .. } => None,
         };
         let found: Vec<(usize, f64)> = self.loads.iter().zip(loads).filter_map(of_load).collect();
         let groups = self.problem.groups(0);

@@ -256,6 +256,26 @@ impl Weighted {
 }
 
 impl Long {
+    /// Of a given pressure with a unit resultant and a moment.
+    pub(super) fn of_given(moment: f64, zeta: &[f64], workspace: &Arc<Workspace>) -> Self {
+        let mut values = Samples::new(2 * zeta.len(), 1, workspace);
+        let (even, odd) = values.column_mut(0).split_at_mut(zeta.len());
+        even.copy_from_slice(zeta);
+        odd.iter_mut().zip(zeta).for_each(|(into, wave)| *into = moment * wave * wave);
+        Self { places: vec![0], values }
+    }
+
+    /// Waves less what these do, with some amplitudes, and with it.
+    pub(super) fn added_to(&self, less: &[f64], amplitudes: &[f64]) -> Vec<f64> {
+        let mut all = less.to_vec();
+        let told = self.places.iter().enumerate().filter(|(_, place)| **place < amplitudes.len());
+        for (number, place) in told {
+            let column = all.iter_mut().zip(self.values.column(number));
+            column.for_each(|(sum, value)| *sum += amplitudes[*place] * value);
+        }
+        all
+    }
+
     /// The tests as they are: what [`Columns::waves`] has of them and what it leaves out, added before anything is summed, since both cancel for short waves.
     pub(super) fn whole(&self, waves: &Samples, workspace: &Arc<Workspace>) -> Samples {
         let mut whole = Samples::new(self.values.rows(), self.places.len(), workspace);

@@ -108,6 +108,8 @@ pub(crate) enum Side<'a> {
     Punches(Vec<Placed<'a>>),
     /// The pressure is given.
     Known(Given<'a>),
+    /// The bodies lie on each other but for openings, and this pressure is on them while nothing else presses, in units of μ₀P'.
+    Openings(f64),
     /// The bodies stay together on a contact of this half-length, in units of L, whether they press or pull.
     Joined(f64),
 }
@@ -125,7 +127,9 @@ impl<'a> Problem<'a> {
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
         let origin = top.middle() / length;
-        let is_even = top.is_even() && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
+        let is_even = !kernel.has_openings()
+            && top.is_even()
+            && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
             Top::Punches(punches) => match top.even_punch().filter(|_| is_even) {
@@ -137,6 +141,7 @@ impl<'a> Problem<'a> {
         let below = (1..kernel.contacts()).map(|contact| {
             let own = gaps.iter().find(|(interface, _)| interfaces.get(contact) == Some(interface));
             match own {
+                None if kernel.has_openings() => Side::Openings(0.0),
                 None => Side::Closed,
                 Some((_, gap)) if is_even => Side::Profile(PunchProfile::gap(gap, length, force, twin)),
                 Some((_, gap)) => Side::Punches(vec![Placed::gap(gap, origin, length, force)]),
@@ -153,6 +158,21 @@ impl<'a> Problem<'a> {
         };
         let (prescribed, operations) = (all.filter_map(of).collect(), MOST_OPERATIONS);
         Self { kernel, interfaces, sides, origin, top, gaps, is_even, force, prescribed, tolerance, operations }
+    }
+
+    /// The same on a kernel of openings, with the pressures of weights and on top that keep the layers together, in the unit of the scene.
+    pub(crate) fn opened(
+        kernel: &'a Kernel,
+        interfaces: &'a [Interface],
+        (top, weights): (&'a Top, &[(Interface, f64)]),
+        force: f64,
+        tolerance: f64,
+    ) -> Self {
+        let mut problem = Self::new(kernel, interfaces, (top, &[]), force, tolerance);
+        let unit = kernel.modulus() * problem.force;
+        let below = problem.sides.iter_mut().skip(1);
+        below.zip(weights).for_each(|(side, (_, weight))| *side = Side::Openings(weight / unit));
+        problem
     }
 
     /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
@@ -215,6 +235,8 @@ impl<'a> Problem<'a> {
             Side::Known(given) => vec![Group { share: 1.0, moment: Some(given.moment), turns: false }],
             Side::Profile(_) if contact == 0 => vec![Group { share: 1.0, moment: None, turns: false }],
             Side::Punches(all) if contact == 0 => all.iter().map(Placed::group).collect(),
+            // one for all openings: a gap closes again, and does not turn
+            Side::Openings(_) => vec![Group { share: 0.0, moment: None, turns: false }],
             _ => {
                 let above = if contact > 0 { self.groups(0) } else { Vec::new() };
                 let moment = above.iter().filter_map(|group| group.moment).sum();
@@ -223,9 +245,25 @@ impl<'a> Problem<'a> {
         }
     }
 
+    /// What the group of intervals of this number carries: each opening is one by itself.
+    pub(crate) fn group(&self, contact: usize, number: usize) -> Option<Group> {
+        let number = if self.is_opened(contact) { 0 } else { number };
+        self.groups(contact).into_iter().nth(number)
+    }
+
+    /// Whether the intervals of a contact are openings.
+    pub(crate) fn is_opened(&self, contact: usize) -> bool {
+        matches!(self.sides[contact], Side::Openings(_))
+    }
+
     /// Whether all contacts are even.
     pub(crate) fn is_even(&self) -> bool {
         self.is_even
+    }
+
+    /// Whether the answer is even: openings are solved for on both sides.
+    pub(crate) fn has_even_answer(&self) -> bool {
+        self.is_even || self.kernel.has_openings() && self.top.is_even()
     }
 
     /// The punch of this number on a contact where nothing is even.

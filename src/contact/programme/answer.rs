@@ -31,7 +31,16 @@ pub(crate) fn answer(problem: &Problem, expected: &[Expected], far: f64) -> Opti
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..problem.kernel.stats() };
     let rotations = if problem.is_even() { Vec::new() } else { rotations(problem, last) };
-    Some(Answer { contacts, force: [1.0, 0.0], min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings })
+    Some(Answer {
+        contacts,
+        closed: Vec::new(),
+        force: [1.0, 0.0],
+        min_pressure: 0.0,
+        min_gap: 0.0,
+        rotations,
+        stats,
+        warnings,
+    })
 }
 
 /// By how much the slope of the gap of each contact grows since bodies turn, under each punch.

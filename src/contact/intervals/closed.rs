@@ -1,0 +1,184 @@
+//! Interfaces that lie on each other but for openings: the pressure outside these, which may be no tension, and the gaps in them.
+use std::f64::consts::PI;
+
+use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
+use crate::contact::intervals::errors::Errors;
+use crate::contact::intervals::gaps::{Fault, Gaps};
+use crate::contact::intervals::newton::Approximation;
+use crate::contact::intervals::of_contacts;
+use crate::contact::intervals::pressure::Pressure;
+use crate::contact::intervals::support::{ContactInterval, Intervals};
+use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::{Problem, Side};
+use crate::numeric::largest;
+use crate::solution::{ClosedInterface, Contact, Opening};
+
+/// Pressures are looked at up to this distance beyond all ends, over the wavenumber up to which kernels are one polynomial: no pressure that decays like an exponential function reaches so
+/// far. Twice as far: no other place is found.
+const FARTHEST: f64 = 20.0;
+/// Places within the reach of all ends for each interval, and the growth of steps beyond.
+const PLACES: usize = 64;
+const FARTHER: f64 = 0.04;
+/// Halvings of what the largest gap lies in.
+const HALVINGS: usize = 50;
+
+/// The contacts of a solution while all is closed, in units of L, with openings at some places.
+pub(crate) fn of_openings(
+    problem: &Problem,
+    contacts: &[Contact],
+    openings: &[(usize, [f64; 2])],
+) -> Option<Intervals> {
+    let mut all = match problem.is_known(0) {
+        true => Vec::new(),
+        false => of_contacts(problem, contacts)?.0,
+    };
+    all.extend(openings.iter().map(|(contact, ends)| ContactInterval::opening(*contact, *ends)));
+    Some(Intervals(all))
+}
+
+/// The smallest pressure on each interface that lies on another one, and where it is.
+///
+/// # Errors
+/// [`Fault::Penetration`] where the layers would pull: there is another opening there.
+pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<(f64, f64)>, Fault> {
+    let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
+    if opened.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
+    lengths.exponentials.iter_mut().for_each(Vec::clear);
+    let panel = problem.kernel.panels.first().map_or(1.0, |panel| panel.to);
+    let (reach, farthest) = (largest(lengths.ends.iter().copied()), FARTHEST / panel);
+    let layout = Layout::new(problem.kernel, &lengths, negligible(FIELDS), reach + farthest);
+    let layout = layout.ok_or(Fault::Unknown)?;
+    let own = Gaps::new(problem, &layout, level);
+    let mut found = Vec::new();
+    for contact in opened {
+        let Side::Openings(weight) = problem.sides[contact] else { continue };
+        let intervals = level.support.of(contact);
+        let is_closed = |x: &f64| intervals.iter().all(|own| *x < own.from() || *x > own.to());
+        let mut places: Vec<f64> = places(intervals, reach, farthest);
+        places.retain(is_closed);
+        let pressures = own.pressures(contact, weight, &places);
+        let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
+        if pressures[least] < -COARSE.max(error) * weight {
+            let is_tensile = |k: &usize| pressures[*k] < 0.0;
+            let first = (0..=least).rev().take_while(is_tensile).last().unwrap_or(least);
+            let last = (least..places.len()).take_while(is_tensile).last().unwrap_or(least);
+            let over = [places[first.saturating_sub(1)], places[(last + 1).min(places.len() - 1)]];
+            let (at, depth) = (places[least], -pressures[least] / weight);
+            return Err(Fault::Penetration { contact, punch: 0, at, depth, over });
+        }
+        found.push((pressures[least], places[least]));
+    }
+    Ok(found)
+}
+
+/// Places from far on the left to far on the right, dense next to openings.
+fn places(intervals: &[ContactInterval], reach: f64, farthest: f64) -> Vec<f64> {
+    let shortest = intervals.iter().map(|own| own.half).fold(reach.max(FARTHER * farthest), f64::min);
+    let mut places = vec![-reach - farthest];
+    while let Some(last) = places.last().copied().filter(|last| *last < reach + farthest) {
+        let beyond = (last.abs() - reach).max(0.0);
+        places.push(last + (4.0 * shortest / PLACES as f64).max(reach / PLACES as f64 / 4.0).max(FARTHER * beyond));
+    }
+    places
+}
+
+/// What is said of each interface that lies on another one, in units of L and per unit of P', with x = 0 of the scene.
+pub(super) fn found(
+    problem: &Problem,
+    level: &Approximation,
+    errors: &Errors,
+    least: &[(f64, f64)],
+) -> Option<Vec<ClosedInterface>> {
+    let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
+    if opened.is_empty() {
+        return Some(Vec::new());
+    }
+    let negligible = negligible(problem.tolerance);
+    let lengths = Lengths::of(problem, &level.support, &level.counts, negligible);
+    let layout = Layout::new(problem.kernel, &lengths, negligible, problem.origin.abs())?;
+    let own = Gaps::new(problem, &layout, level);
+    let of = |(contact, (smallest_pressure, smallest_at)): (usize, &(f64, f64))| {
+        let Side::Openings(weight) = problem.sides[contact] else { return None };
+        let numbers = (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
+        let openings = numbers.map(|number| {
+            let (interval, pressure) = (&level.support.0[number], &level.regular[number]);
+            let [left_error, right_error] = errors.ends[number].map(|error| error * interval.half);
+            let phi = widest(pressure, interval);
+            Opening {
+                left: interval.from(),
+                right: interval.to(),
+                left_error,
+                right_error,
+                largest_gap: interval.half * pressure.gap(interval, phi),
+                largest_gap_at: interval.place(phi),
+            }
+        });
+        let (mut openings, x): (Vec<Opening>, f64) = (openings.collect(), -problem.origin);
+        if problem.has_even_answer() {
+            even(&mut openings);
+        }
+        let is_open = openings.iter().any(|own| own.left <= x && x <= own.right);
+        let central = if is_open { 0.0 } else { own.pressures(contact, weight, &[x])[0] };
+        Some(ClosedInterface {
+            interface: problem.interfaces[contact],
+            weight,
+            central_pressure: central,
+            central_pressure_error: if is_open { 0.0 } else { errors.worst() * (central - weight).abs() },
+            smallest_pressure: *smallest_pressure,
+            smallest_at: if problem.has_even_answer() { smallest_at.abs() } else { *smallest_at },
+            openings,
+        })
+    };
+    opened.into_iter().zip(least).map(of).collect()
+}
+
+/// Makes openings their own mirror images, which they are but for rounding.
+fn even(openings: &mut [Opening]) {
+    let images: Vec<Opening> = openings.iter().rev().copied().collect();
+    for (own, image) in openings.iter_mut().zip(images) {
+        own.left = 0.5 * (own.left - image.right);
+        own.right = 0.5 * (own.right - image.left);
+        own.largest_gap = 0.5 * (own.largest_gap + image.largest_gap);
+        own.largest_gap_at = 0.5 * (own.largest_gap_at - image.largest_gap_at);
+        own.left_error = own.left_error.max(image.right_error);
+        own.right_error = own.right_error.max(image.left_error);
+    }
+}
+
+/// The angle at which the gap of an opening is largest: its slope changes its sign there.
+fn widest(pressure: &Pressure, interval: &ContactInterval) -> f64 {
+    let places = pressure.places(interval);
+    let gaps = pressure.inside(interval, places);
+    let largest = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
+    let angle = |k: usize| PI * k as f64 / places as f64;
+    let (mut from, mut to) = (angle(largest), angle(largest + 2));
+    let strip = pressure.strip(interval);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (from + to);
+        // the gap grows from the left end on, where angles are large
+        if strip.pressure(interval.place(middle)) > 0.0 { to = middle } else { from = middle }
+    }
+    0.5 * (from + to)
+}
+
+impl ClosedInterface {
+    /// In other units of length and pressure, moved along x; the gap grows with the pressure and the length.
+    pub(crate) fn scaled(mut self, length: f64, by: f64, [pressure, slope]: [f64; 2]) -> Self {
+        for own in [&mut self.weight, &mut self.central_pressure, &mut self.central_pressure_error] {
+            *own *= pressure;
+        }
+        self.smallest_pressure *= pressure;
+        self.smallest_at = self.smallest_at * length + by;
+        for own in &mut self.openings {
+            [own.left, own.right, own.largest_gap_at] =
+                [own.left, own.right, own.largest_gap_at].map(|x| x * length + by);
+            own.left_error *= length;
+            own.right_error *= length;
+            own.largest_gap *= length * slope;
+        }
+        self
+    }
+}
