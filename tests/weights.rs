@@ -163,3 +163,126 @@ fn scenes_with_weights_are_read_again_from_what_is_written() {
     assert_eq!(Scene::from_ron(&written).unwrap().to_ron(), written);
     assert_eq!(Scene::from_json(&scene.to_json()).unwrap().to_ron(), written);
 }
+
+/// Openings on the right of a line load: where they begin and end, the largest gap, and the pressure at x = 0, of two independent programs.
+#[test]
+fn openings_are_the_ones_of_other_programs() {
+    let cases = [
+        (0.0, 50.0, [1.51519361381, 2.12291346677], 0.02771697459, 46.9761391257),
+        (0.0, 100.0, [1.22846271344, 3.13987706780], 0.9870283479, 93.0780076423),
+        (0.0, 300.0, [1.06418742831, 5.11488281598], 12.31864751, 278.706321646),
+        (1.0, 150.0, [2.56884140430, 3.33808866078], 0.04229603955, 104.660856680),
+        (1.0, 400.0, [1.90833126184, 6.01521709185], 9.568520139, 277.771259432),
+        (4.0, 400.0, [3.16972300469, 7.51719100821], 11.90924758, 192.692716937),
+        (10.0, 600.0, [4.07232596172, 11.0519583057], 70.90691927, 213.036276392),
+    ];
+    for (base, force, ends, gap, pressure) in cases {
+        let (solution, _) =
+            solved(&on(base, &format!("geometry: PlaneStrain, load: Line, force: {force:?}"), "")).unwrap();
+        let [own] = solution.closed() else { panic!("one interface") };
+        let [left, right] = own.openings[..] else { panic!("{own:?}") };
+        assert_eq!((left.left, left.right), (-right.right, -right.left));
+        for (found, expected) in [(right.left, ends[0]), (right.right, ends[1])] {
+            assert!((found / expected - 1.0).abs() < 1e-10, "{base} {force}: {found} {expected}");
+        }
+        assert!((right.largest_gap / gap - 1.0).abs() < 1e-9, "{base} {force}: {right:?} {gap}");
+        assert!((own.central_pressure / pressure - 1.0).abs() < 1e-10, "{base} {force}: {own:?} {pressure}");
+        assert!(own.smallest_pressure >= -1e-6 && right.largest_gap_at > right.left);
+    }
+}
+
+#[test]
+fn punches_and_several_interfaces_open_as_in_other_programs() {
+    let parabola = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 1000), force: 200e-6, stack: [
+        Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding,
+        HalfPlane(shear_modulus: 0.75, poisson: 0.25)])";
+    let two = "Scene(geometry: PlaneStrain, load: Line, force: 300, stack: [
+        Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0), Receding,
+        Homogeneous(thickness: 0.8, shear_modulus: 1.5, poisson: 0.25, specific_weight: 1.875), Receding,
+        HalfPlane(shear_modulus: 0.75, poisson: 0.25)])";
+    let uniform = on(1.0, "geometry: PlaneStrain, load: Uniform(half_width: 0.5), force: 200.0", "");
+    for (scene, ends) in [
+        (parabola, [2.31410918313, 4.09027191350]),
+        (two, [2.65959087181, 4.63184508984]),
+        (&uniform, [2.42428419355, 4.02429623522]),
+    ] {
+        let (solution, _) = solved(scene).unwrap();
+        let opening = solution.closed()[0].openings[1];
+        assert!(
+            (opening.left / ends[0] - 1.0).abs() < 1e-10 && (opening.right / ends[1] - 1.0).abs() < 1e-10,
+            "{opening:?}"
+        );
+        assert!(solution.closed().iter().skip(1).all(|own| own.openings.is_empty()));
+        if scene == parabola {
+            assert!((solution.contacts()[0].half_length().unwrap() / 0.36523568713 - 1.0).abs() < 1e-10);
+        }
+    }
+}
+
+/// Just above the critical force an opening is as short as the square root of what is beyond, and about where it begins.
+#[test]
+fn openings_begin_with_no_length() {
+    let (_, separation) = solved(&on(1.0, "geometry: PlaneStrain, load: Line, force: 20.0", "")).unwrap();
+    let half = |beyond: f64| {
+        let force = separation.critical_force * (1.0 + beyond);
+        let top = format!("geometry: PlaneStrain, load: Line, force: {force:?}");
+        let (solution, _) = solved(&on(1.0, &top, "")).unwrap();
+        let opening = solution.closed()[0].openings[1];
+        assert!((0.5 * (opening.left + opening.right) - separation.x).abs() < 5.0 * beyond, "{opening:?}");
+        0.5 * (opening.right - opening.left)
+    };
+    let [small, smaller] = [1e-4, 1e-6].map(half);
+    assert!((small / smaller / 10.0 - 1.0).abs() < 1e-3, "{small} {smaller}");
+}
+
+/// A scene moved along x gives moved openings, a mirrored one mirrored openings, and a punch that is not even one opening on each side of another length.
+#[test]
+fn openings_move_and_turn_with_the_scene() {
+    let stack = "stack: [Orthotropic(thickness: 0.4, young: (3.0, 1.0, 1.0), shear_modulus: 0.5, poisson: (0.2, 0.2, 0.2), specific_weight: 0.5),
+        Bonded, Exponential(thickness: 0.6, shear_modulus: 0.75, beta: 0.5, poisson: 0.25, specific_weight: 1.2), Receding,
+        HalfPlane(shear_modulus: 0.5, poisson: 0.3)]";
+    let of = |loads: [(f64, f64); 2]| {
+        let loads = loads.map(|(at, force)| format!("(load: Uniform(half_width: 0.3), at: {at:?}, force: {force:?})"));
+        let scene = format!("Scene(geometry: PlaneStrain, loads: [{}], {stack})", loads.join(", "));
+        solved(&scene).unwrap().0.closed()[0].openings.clone()
+    };
+    let own = of([(0.0, 200.0), (1.5, 100.0)]);
+    assert_eq!(own.len(), 2);
+    assert!(
+        own[0].right - own[0].left < own[1].right - own[1].left - 0.01
+            || own[0].right - own[0].left > own[1].right - own[1].left + 0.01
+    );
+    for (own, moved) in own.iter().zip(of([(7.0, 200.0), (8.5, 100.0)])) {
+        assert!((own.left + 7.0 - moved.left).abs() < 1e-9 && (own.right + 7.0 - moved.right).abs() < 1e-9);
+        assert!((own.largest_gap / moved.largest_gap - 1.0).abs() < 1e-9);
+    }
+    for (own, mirrored) in own.iter().zip(of([(-1.5, 100.0), (0.0, 200.0)]).iter().rev()) {
+        assert!((own.left + mirrored.right).abs() < 1e-9 && (own.right + mirrored.left).abs() < 1e-9);
+    }
+}
+
+/// Weight and force times s leave lengths as they are, and make gaps s times as wide.
+#[test]
+fn gaps_grow_with_weight_and_force() {
+    let of = |scale: f64| {
+        let scene = on(1.0, &format!("geometry: PlaneStrain, load: Line, force: {:?}", 300.0 * scale), "");
+        let scene = scene.replace("specific_weight: 1.0", &format!("specific_weight: {scale:?}"));
+        solved(&scene).unwrap().0.closed()[0].openings[1]
+    };
+    let (one, many) = (of(1.0), of(1e-5));
+    assert!((one.left - many.left).abs() < 1e-10 && (one.right - many.right).abs() < 1e-10);
+    assert!((many.largest_gap / one.largest_gap / 1e-5 - 1.0).abs() < 1e-10);
+    // far above the critical force the gap begins where a layer without weight lifts off
+    let loose = on(1.0, "geometry: PlaneStrain, load: Line, force: 1.0", "").replace(", specific_weight: 1.0", "");
+    let loose = recede::solve(&Scene::from_ron(&loose).unwrap()).unwrap().contacts()[1].reach();
+    let ends: Vec<[f64; 2]> = [1e5, 8e5]
+        .map(|force| {
+            let (solution, _) =
+                solved(&on(1.0, &format!("geometry: PlaneStrain, load: Line, force: {force:?}"), "")).unwrap();
+            let opening = solution.closed()[0].openings[1];
+            [opening.left, opening.right]
+        })
+        .to_vec();
+    assert!((ends[1][1] / ends[0][1] / 2.0 - 1.0).abs() < 0.02, "{ends:?}");
+    assert!(((ends[0][0] - loose) / (ends[1][0] - loose) / 2.0 - 1.0).abs() < 0.05, "{ends:?} {loose}");
+}
