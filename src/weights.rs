@@ -163,7 +163,7 @@ impl Weights {
             let distance = (left - last).max(last - right).max(0.0);
             places.push(last + shortest.max(FARTHER * distance));
         }
-        let values: Vec<f64> = places.iter().map(|x| waves.at(*x)[0]).collect();
+        let mut values: Vec<f64> = places.iter().map(|x| waves.at(*x)[0]).collect();
         let lowest = (0..places.len()).min_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
         let (mut from, mut to) = (places[lowest.saturating_sub(1)], places[(lowest + 1).min(places.len() - 1)]);
         // the slope changes its sign between
@@ -176,24 +176,22 @@ impl Weights {
         if least >= -(1.0 + COARSEST) * weight {
             return (x, least, Vec::new());
         }
-        let pulls = |k: &usize| values[*k] < -weight;
+        let number = places.partition_point(|place| *place < x);
+        places.insert(number, x);
+        values.insert(number, least);
+        let pulls = |k: usize| values.get(k).is_some_and(|value| *value < -weight);
         let mut all: Vec<[f64; 2]> = Vec::new();
-        for k in (0..places.len()).filter(pulls) {
-            match all.last_mut().filter(|_| k > 0 && pulls(&(k - 1))) {
-                Some([_, last]) => *last = places[k],
-                None => all.push([places[k]; 2]),
+        for first in (0..places.len()).filter(|k| pulls(*k) && !(*k > 0 && pulls(k - 1))) {
+            let last = (first..places.len()).take_while(|k| pulls(*k)).last().unwrap_or(first);
+            let end = |from: usize, to: usize| waves.crosses(-weight, places[from], places[to.min(places.len() - 1)]);
+            let own = [end(first, first.saturating_sub(1)), end(last, last + 1)];
+            match is_even {
+                true if first == 0 => all.push([-own[1], own[1]]),
+                true => all.extend([[-own[1], -own[0]], own]),
+                false => all.push(own),
             }
         }
-        // between two places
-        let between = [x - 0.5 * shortest, x + 0.5 * shortest];
-        if all.is_empty() {
-            all.push(between);
-        }
-        all.iter_mut().filter(|[from, to]| from == to).for_each(|ends| *ends = between);
-        if is_even {
-            let images: Vec<[f64; 2]> = all.iter().rev().map(|[from, to]| [-to, -from]).collect();
-            all.splice(0..0, images);
-        }
+        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
         (x, least, all)
     }
 }
@@ -220,6 +218,15 @@ impl Waves {
             slope += wave * (odd[k] * cosines[k] - even[k] * sines[k]);
         }
         [value, slope]
+    }
+
+    /// Where the value rises beyond another one between two places.
+    fn crosses(&self, value: f64, mut below: f64, mut above: f64) -> f64 {
+        for _ in 0..STEPS {
+            let middle = 0.5 * (below + above);
+            if self.at(middle)[0] < value { below = middle } else { above = middle }
+        }
+        0.5 * (below + above)
     }
 
     /// The mean of the wavenumbers, by the sizes of waves.

@@ -97,10 +97,10 @@ pub fn scene_schema(registry: &Registry) -> Json {
     let gap = item(RECEDING, "", gap);
     let layers = registry.iter().map(|entry| {
         let mut fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
-        if fields["properties"].get(THICKNESS).is_some() {
-            if let Json::Object(loads) = schema_of::<OwnLoads>().to_value()["properties"].take() {
-                loads.into_iter().for_each(|(name, load)| fields["properties"][name] = load);
-            }
+        if fields["properties"].get(THICKNESS).is_some()
+            && let Json::Object(loads) = schema_of::<OwnLoads>().to_value()["properties"].take()
+        {
+            loads.into_iter().for_each(|(name, load)| fields["properties"][name] = load);
         }
         item(entry.name, entry.summary, fields)
     });

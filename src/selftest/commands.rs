@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::profile::profile_places;
 use crate::report::{Format, Report, write_field, write_profile};
 use crate::scene::Scene;
-use crate::solution::Solution;
+use crate::solution::{Opening, Solution};
 
 /// Places along x, in half-lengths of the longest contact, and depths, in units of the deepest one, of a coarse grid. None is at
 /// the end of a contact, where stresses may be infinite.
@@ -24,11 +24,36 @@ const PRESSED: f64 = 1e-5;
 
 /// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; the error is what is wrong.
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Result<(), String> {
-    let field = step("field", model.field(solution))?;
+    let field = match model.field(solution) {
+        // where layers come apart that weights press together, fields are not told
+        Err(FieldError::Openings) => return openings(scene, model, solution),
+        field => step("field", field)?,
+    };
     reports(scene, model, solution, &field)?;
     fields(scene, solution, &field)?;
     profile(scene, model, solution)?;
     if pictures { self::pictures(scene, model, solution, &field) } else { Ok(()) }
+}
+
+/// Layers that weights press together come apart above a critical force, and gaps are open.
+fn openings(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), String> {
+    let separation = step("separation", model.separation(&scene.top, solution))?;
+    if separation.is_some_and(|own| own.critical_force > solution.force() * (1.0 + PRESSED)) {
+        return Err(format!("layers come apart below the critical force: {separation:?}"));
+    }
+    for own in solution.closed() {
+        let is_wrong = |one: &Opening| {
+            let is_ordered = one.left < one.largest_gap_at && one.largest_gap_at < one.right;
+            !(is_ordered && one.largest_gap > 0.0 && one.left_error.is_finite() && one.right_error.is_finite())
+        };
+        if let Some(one) = own.openings.iter().find(|one| is_wrong(one)) {
+            return Err(format!("the opening at {} is {one:?}", own.interface));
+        }
+        if !(own.smallest_pressure >= -LARGER * own.weight && own.central_pressure.is_finite()) {
+            return Err(format!("tension where {} is closed: {own:?}", own.interface));
+        }
+    }
+    Ok(())
 }
 
 /// The result of a step, whose name stands before its error.

@@ -47,7 +47,10 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
 pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
     let items = kinds.items(&scenario, ranges.units.stress)?;
-    Ok(Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items))
+    let pressure_on_top = kinds.pressure_on_top(&scenario, &items);
+    let mut scene = Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items);
+    scene.pressure_on_top = pressure_on_top;
+    Ok(scene)
 }
 
 /// One of the scenes of all kinds, with one to four punches of other kinds in place of what presses there: the same seed and number give the same scene.
@@ -62,7 +65,9 @@ pub fn scene_with_punches(ranges: &Ranges, seed: u64, number: u64) -> Result<Sce
     let scene = scene_of_any_kind(ranges, seed, number)?;
     let punches = punches(&scenario, &drawn)?;
     let force = punches.pressed_by();
-    Ok(Scene::new(scenario.plane, Top::from(punches), force, scene.stack))
+    let mut with_punches = Scene::new(scenario.plane, Top::from(punches), force, scene.stack);
+    with_punches.pressure_on_top = scene.pressure_on_top;
+    Ok(with_punches)
 }
 
 /// The same scene about an axis, with the last of several loads as a ring, and layers and a base of isotropic materials in place of
@@ -133,6 +138,16 @@ impl Kinds {
             loads.push((load, at, force));
         }
         Loads::new(&loads)
+    }
+
+    /// Loose layers are pressed together in some scenes, so that the force is some tens to some thousands of times what presses on a length of the thickness.
+    fn pressure_on_top(&self, scenario: &Scenario, items: &[Item]) -> f64 {
+        match self.joints.first() {
+            Some((3, normal, _)) if items.iter().any(Item::is_receding) => {
+                scenario.force / (scenario.thickness() * 10f64.powf(2.5 + 0.5 * normal))
+            }
+            _ => 0.0,
+        }
     }
 
     /// The items of the stack, with this unit of stress.

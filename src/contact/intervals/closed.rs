@@ -16,8 +16,9 @@ use crate::solution::{ClosedInterface, Contact, Opening};
 /// Pressures are looked at up to this distance beyond all ends, over the wavenumber up to which kernels are one polynomial: no pressure that decays like an exponential function reaches so
 /// far. Twice as far: no other place is found.
 const FARTHEST: f64 = 20.0;
-/// Places within the reach of all ends for each interval, and the growth of steps beyond.
+/// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face, and the growth of steps beyond all ends.
 const PLACES: usize = 64;
+const WAVES: f64 = 4.0;
 const FARTHER: f64 = 0.04;
 /// Halvings of what the largest gap lies in.
 const HALVINGS: usize = 50;
@@ -57,7 +58,9 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
         let Side::Openings(weight) = problem.sides[contact] else { continue };
         let intervals = level.support.of(contact);
         let is_closed = |x: &f64| intervals.iter().all(|own| *x < own.from() || *x > own.to());
-        let mut places: Vec<f64> = places(intervals, reach, farthest);
+        // waves as short as the layers at the faces feel
+        let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(panel));
+        let mut places: Vec<f64> = places(intervals, reach, farthest, step);
         places.retain(is_closed);
         let pressures = own.pressures(contact, weight, &places);
         let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
@@ -75,12 +78,13 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
 }
 
 /// Places from far on the left to far on the right, dense next to openings.
-fn places(intervals: &[ContactInterval], reach: f64, farthest: f64) -> Vec<f64> {
-    let shortest = intervals.iter().map(|own| own.half).fold(reach.max(FARTHER * farthest), f64::min);
+fn places(intervals: &[ContactInterval], reach: f64, farthest: f64, step: f64) -> Vec<f64> {
+    let shortest = intervals.iter().map(|own| 4.0 * own.half / PLACES as f64).fold(step, f64::min);
+    let step = shortest.max(reach / (8 * PLACES) as f64);
     let mut places = vec![-reach - farthest];
     while let Some(last) = places.last().copied().filter(|last| *last < reach + farthest) {
         let beyond = (last.abs() - reach).max(0.0);
-        places.push(last + (4.0 * shortest / PLACES as f64).max(reach / PLACES as f64 / 4.0).max(FARTHER * beyond));
+        places.push(last + step.max(FARTHER * beyond));
     }
     places
 }
