@@ -214,6 +214,11 @@ impl Model {
         weights.separation(solution, |factor| Some(self.scaled(top, solution, factor)?.1))
     }
 
+    /// The stack whose field a solution has: where layers come apart, the one with all its laminates.
+    fn stack_of(&self, solution: &Solution) -> &Stack {
+        if self.check_closed(solution).is_ok() { self.solved() } else { &self.stack }
+    }
+
     /// The stack that is solved for: interfaces that weights press together are closed.
     fn solved(&self) -> &Stack {
         self.closed.as_ref().map_or(&self.stack, |(closed, _)| closed)
@@ -287,10 +292,10 @@ impl Model {
     /// Stresses and displacements inside the stack, for a solution of this model or of another model of an equal stack.
     ///
     /// # Errors
-    /// [`FieldError::OtherStack`] if the solution is one of another stack, [`FieldError::Openings`] if layers come apart that weights press together.
+    /// [`FieldError::OtherStack`] if the solution is one of another stack.
     pub fn field(&self, solution: &Solution) -> Result<Field, FieldError> {
-        self.check_closed(solution)?;
-        Ok(Field::new(self.solved(), solution))
+        self.check_owns(solution)?;
+        Ok(Field::new(self.stack_of(solution), solution))
     }
 
     /// Pressures and gaps of all contacts, displacements and slopes of all faces, at places along x, for a solution of this model.

@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 use crate::field::ContactPressure;
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, Panel};
 use crate::numeric::bessel;
 use crate::numeric::quadrature::{LARGEST, points, rule};
 use crate::numeric::trigonometry;
@@ -13,9 +13,6 @@ use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::stack::Stack;
 use crate::system::Unresolved;
 
-/// Pressures are looked at up to this distance from what presses, over the wavenumber up to which kernels are one polynomial: no pressure that decays
-/// like an exponential function reaches so far. Twice as far: no other place is found.
-const FARTHEST: f64 = 40.0;
 /// Steps between places, over the mean wavelength, and farther away in parts of the distance.
 const STEP: f64 = 0.05;
 const FARTHER: f64 = 0.04;
@@ -25,6 +22,11 @@ const STEPS: usize = 52;
 const SCALINGS: usize = 30;
 /// Tension counts as none below this part of the weight.
 const COARSEST: f64 = 1e-9;
+/// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
+const NEGLIGIBLE: f64 = 1e-14;
+const MOST_PHASE: f64 = 3e5;
+/// Places in all that presses at most.
+const MOST_PLACES: f64 = 2000.0;
 /// Digits of the sums.
 const DIGITS: f64 = 15.0;
 /// The part of the pressures that rounding and sums leave.
@@ -80,6 +82,7 @@ impl Weights {
                 smallest_pressure: weight + least,
                 smallest_at: x + middle,
                 openings: Vec::new(),
+                slopes: Vec::new(),
             }
         };
         let closed = self.interfaces.iter().enumerate().map(of).collect();
@@ -124,7 +127,7 @@ impl Weights {
 
     /// How far from what presses pressures are looked at, in the unit of the scene.
     fn farthest(&self) -> f64 {
-        FARTHEST * self.kernel.length() / self.kernel.panels.first().map_or(1.0, |panel| panel.to)
+        self.kernel.length() * self.kernel.farthest()
     }
 
     /// The waves of the pressure on interface i that what presses above makes, which begins and ends there.
@@ -134,7 +137,8 @@ impl Weights {
         let pair = kernel.neighbours(0).find(|(other, _)| *other == i).map_or(0, |(_, pair)| pair);
         let reach = (self.farthest() + ends[1].abs().max(ends[0].abs())) / length;
         let (mut zeta, mut weights) = (Vec::new(), Vec::new());
-        for panel in kernel.panels.iter().filter(|panel| panel.coupled[pair]) {
+        let matters = |panel: &&Panel| panel.couplings[pair] > NEGLIGIBLE && panel.from * reach < MOST_PHASE;
+        for panel in kernel.panels.iter().filter(matters) {
             let needed = points(2.0 * reach * (panel.to - panel.from), DIGITS);
             let parts = needed.div_ceil(LARGEST);
             let at = |k: usize| panel.from + (panel.to - panel.from) * k as f64 / parts as f64;
@@ -157,7 +161,8 @@ impl Weights {
 
     /// Where waves are lowest, how low they are there, and from where to where they are larger tension than a weight is pressure.
     fn least(&self, waves: &Waves, weight: f64, [left, right]: [f64; 2], is_even: bool) -> (f64, f64, Vec<[f64; 2]>) {
-        let (farthest, shortest) = (self.farthest(), STEP * 2.0 * PI / waves.mean_wavenumber());
+        let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).max((right - left) / MOST_PLACES);
+        let farthest = self.farthest();
         let mut places = vec![if is_even { 0.0 } else { left - farthest }];
         while let Some(last) = places.last().copied().filter(|last| *last < right + farthest) {
             let distance = (left - last).max(last - right).max(0.0);

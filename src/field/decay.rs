@@ -61,10 +61,13 @@ impl Field {
         let is_outermost = [placed.place == 0, placed.place + 1 == body.layers.len()];
         let of = move |(side, contact): (usize, usize)| {
             let face = body.faces[side].as_ref().filter(|_| is_outermost[side]);
-            let shift = Some(face.map_or(0.0, |face| face.shift)).filter(|shift| !shift.is_infinite())?;
+            let pressure = &self.pressures[contact];
+            // of a pressure that has waves of its own these are left where closed forms leave nothing
+            let shift = face.map_or(0.0, |face| face.shift);
+            let shift = if pressure.has_waves() { shift.min(self.thinnest()) } else { shift };
+            let shift = Some(shift).filter(|shift| !shift.is_infinite())?;
             let distance = self.distance(placed, depth, side == 0);
             let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
-            let pressure = &self.pressures[contact];
             let decay = FieldDecay {
                 distance,
                 reflected: (distance + shift).min(2.0 * thickness - distance),
@@ -140,6 +143,11 @@ impl Field {
     pub(super) fn thickness(&self) -> f64 {
         // an empty sum would be -0
         self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h)
+    }
+
+    /// Thickness of the thinnest layer.
+    fn thinnest(&self) -> f64 {
+        self.layers.iter().filter_map(|placed| placed.thickness).fold(f64::INFINITY, f64::min)
     }
 
     /// Half-length of the narrowest strip on the top face that is one.

@@ -4,6 +4,7 @@
 //! the wavenumber of the states that [`crate::system`] finds inside. Next to a loaded face these integrals converge slowly; there
 //! the fields of a half-plane of the face's material are subtracted, and added in closed form.
 mod body;
+mod closed;
 mod decay;
 mod disc;
 mod error;
@@ -23,6 +24,8 @@ mod surface;
 mod transform;
 mod waves;
 
+use std::sync::Arc;
+
 use recede_layers::Wave;
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
@@ -32,12 +35,13 @@ pub(crate) use pressure::ContactPressure;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;
-use crate::solution::{Contact, Solution};
+use crate::solution::{ClosedInterface, Contact, Solution};
 use crate::stack::{Gaps, Stack};
 use crate::system::FaceLoad;
 pub use error::FieldError;
 
 use body::{DepthRow, LoadedBody, PlacedLayer, Rows};
+use closed::{Closed, ClosedBodies};
 use surface::Components;
 
 /// Rounding of stresses, in parts of the mean pressure.
@@ -109,10 +113,21 @@ impl Field {
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
         let plane = stack.plane();
         let layers = body::layers(stack);
-        let (is_even, middle) = (solution.about().is_some(), solution.about().unwrap_or(0.0));
+        let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
+        // where layers come apart, the field is summed on both sides
+        let closed = if stack.laminates().len() + 1 > solution.contacts().len() { solution.closed() } else { &[] };
+        let about = solution.about().filter(|_| closed.is_empty());
+        let (is_even, middle) = (about.is_some(), about.unwrap_or(0.0));
         let contacts = solution.contacts();
         let pressure = |contact| ContactPressure::new(contact, is_even, middle);
-        let pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
+        let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
+        if let (false, Some(top)) = (closed.is_empty(), pressures.first().cloned()) {
+            let bodies = Arc::new(ClosedBodies::new(stack, modulus, top, closed));
+            let of = |(k, own): (usize, &ClosedInterface)| {
+                ContactPressure::of_closed(own, Closed::new(&bodies, k + 1, stack.total_thickness()))
+            };
+            pressures.extend(closed.iter().enumerate().map(of));
+        }
         let stiffnesses = |placed: &PlacedLayer| {
             let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
             depths.map(|depth| placed.layer.material(depth, plane).axial_stiffness)
@@ -120,10 +135,16 @@ impl Field {
         let stiffness: Vec<f64> = layers.iter().flat_map(stiffnesses).collect();
         let [largest, smallest] =
             [f64::max, f64::min].map(|pick| stiffness.iter().copied().reduce(pick).unwrap_or(1.0));
-        let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
         let below = stack.base();
         let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
-        let joints: Vec<[f64; 2]> = contacts.iter().map(|contact| contact.clone().moved(-middle).touching()).collect();
+        let touching = contacts.iter().map(|contact| contact.clone().moved(-middle).touching());
+        // layers touch at the ends of openings
+        let length = stack.total_thickness();
+        let beside = closed.iter().map(|own| match (own.openings.first(), own.openings.last()) {
+            (Some(first), Some(last)) => [first.left, last.right],
+            _ => [-length, length],
+        });
+        let joints: Vec<[f64; 2]> = touching.chain(beside).collect();
         let mut field = Self {
             geometry: stack.geometry(),
             bodies: LoadedBody::all(stack, &layers, &pressures, modulus),
@@ -132,7 +153,8 @@ impl Field {
             is_even,
             middle,
             joints,
-            gaps: stack.gaps(),
+            // what weights press flat is no gap
+            gaps: if closed.is_empty() { stack.gaps() } else { Gaps::default() },
             apart: Vec::new(),
             modulus,
             contrast: largest / smallest,
@@ -142,6 +164,7 @@ impl Field {
         };
         let apart = contacts.iter().zip(&field.joints);
         field.apart = apart.map(|(own, joint)| joint.map(|x| field.gaps.height(own.interface, x + middle))).collect();
+        field.apart.resize(field.joints.len(), [0.0; 2]);
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
         field.pressure_error = contacts.iter().enumerate().map(error).sum();
         field

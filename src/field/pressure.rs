@@ -3,9 +3,10 @@ use std::iter::zip;
 
 use num_complex::Complex64;
 
+use super::closed::Closed;
 use super::strip::TabulatedStrip;
 use super::transform::{Potentials, Transform};
-use crate::solution::{Contact, Form, Strip};
+use crate::solution::{ClosedInterface, Contact, Form, Strip};
 
 /// A place counts as a singular point if the distance between them is below this part of their distance from the middle, which is rounding.
 const AT: f64 = 4.0 * f64::EPSILON;
@@ -28,6 +29,20 @@ pub(crate) struct ContactPressure {
     is_even: bool,
     /// How far the middle is from x = 0: places in the scene have as many digits as that leaves.
     far: f64,
+    /// Of an interface that weights press together, the strips of which are slopes of gaps, what makes the pressure there.
+    closed: Option<Closed>,
+}
+
+/// The transforms of strips together.
+pub(super) fn sum_of(strips: &[TabulatedStrip], wavenumbers: &[f64]) -> Vec<Complex64> {
+    let mut sums = vec![Complex64::ZERO; wavenumbers.len()];
+    for TabulatedStrip { strip, .. } in strips {
+        let resultant = strip.long_waves();
+        for ((sum, own), wavenumber) in zip(zip(&mut sums, strip.transforms(wavenumbers)), wavenumbers) {
+            *sum += own.moved(*wavenumber, strip.at, resultant).value;
+        }
+    }
+    sums
 }
 
 impl ContactPressure {
@@ -44,11 +59,24 @@ impl ContactPressure {
         let is_whole = lists[0].len() <= APART;
         let chosen = lists.into_iter().find(|list| list.len() <= APART).unwrap_or_default();
         let strips = strips().map(TabulatedStrip::new).collect();
-        let mut pressure = Self { half_length, strips, ends: Vec::new(), is_whole, is_even, far };
+        let mut pressure = Self { half_length, strips, ends: Vec::new(), is_whole, is_even, far, closed: None };
         pressure.ends = chosen.into_iter().flatten().map(|end| pressure.place(end)).collect();
         pressure.ends.sort_by(f64::total_cmp);
         pressure.ends.dedup_by(|next, end| *next - *end <= AT * half_length);
         pressure
+    }
+
+    /// The pressure of an interface that weights press together, in a field that is not even.
+    pub(super) fn of_closed(interface: &ClosedInterface, closed: Closed) -> Self {
+        let strips: Vec<TabulatedStrip> = interface.slopes.iter().map(TabulatedStrip::new).collect();
+        let ends: Vec<f64> = strips.iter().flat_map(|one| one.strip.ends()).collect();
+        let half_length = ends.iter().fold(closed.top().half_length, |most, end| most.max(end.abs()));
+        Self { half_length, strips, ends, is_whole: true, is_even: false, far: 0.0, closed: Some(closed) }
+    }
+
+    /// Whether waves beyond the closed forms of its faces are to be summed.
+    pub(super) fn has_waves(&self) -> bool {
+        self.closed.is_some()
     }
 
     /// The place at which the pressure is looked at: an even pressure is known for x ≥ 0.
@@ -110,6 +138,10 @@ impl ContactPressure {
 
     /// An amplitude of p̂ at a wavenumber.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
+        if let Some(closed) = &self.closed {
+            let slopes: f64 = self.strips.iter().map(|one| one.envelope(wavenumber)).sum();
+            return closed.top().envelope(wavenumber) + closed.stiffness * slopes;
+        }
         self.strips.iter().map(|one| self.images(&one.strip) * one.envelope(wavenumber)).sum()
     }
 
@@ -126,11 +158,15 @@ impl ContactPressure {
 
     /// Whether the pressure is about the axis of an axisymmetric problem.
     pub(super) fn is_round(&self) -> bool {
+        // openings about an axis are not solved for
         self.strips().any(|strip| strip.is_round)
     }
 
     /// The transform of long waves, P + iλM with the resultant and the moment.
     pub(crate) fn long_waves(&self, wavenumber: f64) -> Complex64 {
+        if let Some(closed) = &self.closed {
+            return closed.top().long_waves(wavenumber);
+        }
         let resultant = self.strips().map(|strip| self.images(strip) * strip.long_waves()).sum();
         let moment = self.strips().map(|strip| strip.at * strip.long_waves() + strip.moment()).sum::<f64>();
         Complex64::new(resultant, wavenumber * moment)
@@ -138,13 +174,17 @@ impl ContactPressure {
 
     /// The transforms about the middle at some wavenumbers; of an even pressure only their real parts have a meaning.
     pub(crate) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
+        if let Some(closed) = &self.closed {
+            return closed.transforms(wavenumbers);
+        }
         let mut sums = vec![Transform::default(); wavenumbers.len()];
         for strip in self.strips() {
             let (images, resultant) = (self.images(strip), strip.long_waves());
             for ((sum, own), wavenumber) in zip(zip(&mut sums, strip.transforms(wavenumbers)), wavenumbers) {
-                let Transform { value, variation } = own.moved(*wavenumber, strip.at, resultant);
+                let Transform { value, variation, .. } = own.moved(*wavenumber, strip.at, resultant);
                 sum.value += images * value;
                 sum.variation += images * variation;
+                sum.local = sum.value;
             }
         }
         sums
@@ -160,6 +200,10 @@ impl ContactPressure {
                 let image = one.potentials(-x - at, depth, integral);
                 zip(&mut sums, image).for_each(|(sum, image)| *sum += image.conj());
             }
+        }
+        if let Some(closed) = &self.closed {
+            // a quarter of a wave aside
+            sums.iter_mut().for_each(|sum| *sum *= -Complex64::I * closed.stiffness);
         }
         sums
     }

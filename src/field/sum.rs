@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
-use num_complex::Complex64;
 use recede_layers::{State, Wave};
 
 use super::body::{DepthRow, LoadedBody, PlacedLayer, Rows, components};
@@ -177,7 +176,7 @@ impl Field {
         let of = |(pressure, cut_off): (&ContactPressure, &CutOff)| match cut_off.end > panel.lo {
             true => pressure.transforms(&panel.wavenumbers),
             false => {
-                let left_out = |l: &f64| Transform { value: Complex64::ZERO, variation: -pressure.long_waves(*l) };
+                let left_out = |l: &f64| Transform { variation: -pressure.long_waves(*l), ..Transform::default() };
                 panel.wavenumbers.iter().map(left_out).collect()
             }
         };
@@ -262,12 +261,12 @@ impl Field {
         placed: &PlacedLayer,
         (depth, wavenumber): (f64, f64),
         state: &State,
-        transform: impl Fn(usize) -> [f64; 2],
+        transform: impl Fn(usize) -> [f64; 3],
     ) -> Components {
         let mut remainder = components(state, &placed.layer.material(depth, self.geometry.plane()), self.modulus);
         for (surface, contact, distance) in body.surfaces(placed, depth) {
             let surface = surface.transformed(wavenumber, distance);
-            let [pressure, _] = transform(contact);
+            let [.., pressure] = transform(contact);
             remainder.iter_mut().zip(surface).for_each(|(value, surface)| *value -= pressure * surface);
         }
         let displacement = 1.0 / (wavenumber * self.modulus);
@@ -280,10 +279,10 @@ impl Field {
 
 /// The loads on a body, from the transforms of the pressures and their variations: for long waves, the equal part of both pressures and
 /// their small difference.
-fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 2]) -> FaceLoad {
-    let [top, top_variation] = transform(body.contact);
+fn load(body: &LoadedBody, wavenumber: f64, transform: impl Fn(usize) -> [f64; 3]) -> FaceLoad {
+    let [top, top_variation, _] = transform(body.contact);
     let Some(bottom) = body.bottom else { return FaceLoad { top: -top, ..FaceLoad::default() } };
-    let [other, variation] = transform(body.contact + 1);
+    let [other, variation, _] = transform(body.contact + 1);
     if wavenumber * (bottom - body.top) > 1.0 {
         FaceLoad { top: -top, bottom: -other, equal: 0.0 }
     } else {

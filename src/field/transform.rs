@@ -31,12 +31,20 @@ pub(crate) struct Transform {
     pub(crate) value: Complex64,
     /// The difference of p̂ and its limit for long waves, P + iλM with the moment M: accurate to rounding.
     pub(crate) variation: Complex64,
+    /// The part of p̂ of which closed forms next to a loaded face are known: all of a sum of strips.
+    pub(super) local: Complex64,
 }
 
 impl Transform {
-    /// p̂ and its variation in the even part, 0, or in the odd part, 1.
-    pub(super) fn part(&self, part: usize) -> [f64; 2] {
-        [self.value, self.variation].map(|value| [value.re, value.im][part])
+    /// No numbers.
+    pub(super) fn none() -> Self {
+        let none = Complex64::new(f64::NAN, f64::NAN);
+        Self { value: none, variation: none, local: none }
+    }
+
+    /// p̂, its variation and its local part in the even part, 0, or in the odd part, 1.
+    pub(super) fn part(&self, part: usize) -> [f64; 3] {
+        [self.value, self.variation, self.local].map(|value| [value.re, value.im][part])
     }
 
     /// The transform of the pressure moved by a length; P is the resultant.
@@ -47,11 +55,11 @@ impl Transform {
         let phase = wavenumber * length;
         let sin = (0.5 * phase).sin();
         let (wave, missing) = (Complex64::new((0.5 * phase).cos().powi(2) - sin * sin, phase.sin()), 2.0 * sin * sin);
-        let Self { value, variation } = self;
+        let Self { value, variation, .. } = self;
         let even = wave.re * variation.re - missing * resultant - wave.im * value.im;
         let of_place = resultant * phase * bessel::sinc_minus_one(phase) + wave.im * variation.re;
         let odd = of_place + wave.re * variation.im - missing * (value.im - variation.im);
-        Self { value: wave * value, variation: Complex64::new(even, odd) }
+        Self { value: wave * value, variation: Complex64::new(even, odd), local: wave * value }
     }
 }
 
@@ -83,6 +91,7 @@ impl Strip {
         let of = |(even, [odd, variation]): (f64, [f64; 2])| Transform {
             value: Complex64::new(self.long_waves() + even, odd),
             variation: Complex64::new(even, variation),
+            ..Transform::default()
         };
         zip(even, odd).map(of).collect()
     }
@@ -102,10 +111,10 @@ impl Strip {
             if !is_long(wavenumber) {
                 return of_short.next().unwrap_or_default();
             }
-            let Transform { value, variation } = of_long.next().unwrap_or_default();
+            let Transform { value, variation, .. } = of_long.next().unwrap_or_default();
             let tip = self.tip * self.extent * transform_of_tip(self.tip_at, wavenumber * self.extent);
             let long_waves = Complex64::new(resultant, wavenumber * moment);
-            Transform { value: value + tip, variation: variation + (tip - long_waves) }
+            Transform { value: value + tip, variation: variation + (tip - long_waves), ..Transform::default() }
         };
         wavenumbers.iter().map(of).collect()
     }

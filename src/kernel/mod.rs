@@ -20,7 +20,7 @@ use crate::geometry::Geometry;
 use crate::numeric::workspace::Workspace;
 use crate::solution::Stats;
 use crate::stack::Stack;
-use crate::system::{BaseChain, BlockSystem, FreeChain, Unresolved};
+use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain, Unresolved};
 
 pub(crate) use asymptote::{Asymptote, sum_of};
 use components::{Components, Kind};
@@ -142,10 +142,10 @@ impl Chains {
             components[3 * n - 1] += c;
         }
         if self.kind == Kind::Openings {
-            let equal = components[n..2 * n].to_vec();
             let bending: Vec<f64> = components[2 * n..3 * n - 1].iter().map(|coupling| -coupling).collect();
+            let closed = ClosedContacts::new(&components[n..2 * n], &bending);
             components.fill(0.0);
-            openings::of_openings(self.order(), &equal, &bending, components);
+            openings::of_openings(self.order(), &closed, components);
         }
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
     }

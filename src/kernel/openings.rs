@@ -7,45 +7,39 @@
 //! * t_i = −Σ M_ij k_j: the pressure at i that a unit pressure on top makes, and the slope on top that a slope of the gap at i makes;
 //! * g_00 − Σ k_i M_ij k_j: the slope on top that a pressure on top makes, with all closed.
 //!
-//! All of these are bounded for long waves, t_i → 1 and M ~ ζ³. Written with the responses e_i of contacts under equal pressures of their neighbours and the bending compliances w_i of laminates, the equations
-//! of the pressures are the ones of a chain of conductances, e_i p_i + w_(i−1) (p_i − p_(i−1)) + w_i (p_i − p_(i+1)) = s_i, and conductances in series and in parallel need no differences.
+//! All of these are bounded for long waves, t_i → 1 and M ~ ζ³.
+use super::Kernel;
 use super::components::Components;
+use crate::system::ClosedContacts;
 
-/// The components, as they stand in a sample, from responses under equal pressures and from bending compliances.
-pub(super) fn of_openings(order: Components, equal: &[f64], bending: &[f64], components: &mut [f64]) {
-    let n = equal.len();
-    // conductances from each contact downwards, and from each opening upwards to a top without pressure
-    let (mut down, mut up) = (equal.to_vec(), equal.to_vec());
-    for i in (0..n - 1).rev() {
-        down[i] += in_series(bending[i], down[i + 1]);
-    }
-    for i in 1..n {
-        up[i] += if i == 1 { bending[0] } else { in_series(bending[i - 1], up[i - 1]) };
-    }
-    let passed = |i: usize| part(bending[i], down[i + 1]);
-    let mut own = down[0];
-    for i in 0..n {
-        if i > 0 {
-            let below = if i + 1 < n { in_series(bending[i], down[i + 1]) } else { 0.0 };
-            own = (up[i] + below).recip();
-        }
-        components[i] = own;
-        components[order.equal(i)] = own;
-        let mut through = if i == 0 { 1.0 } else { own };
-        for j in i + 1..n {
-            through *= passed(j - 1);
-            let pair = order.neighbours(i).find(|(other, _)| *other == j).map_or(0, |(_, pair)| pair);
-            components[order.coupling(pair)] = through;
-        }
+/// Pressures are looked at up to this distance beyond all that presses, over the wavenumber up to which a half of the pressure on top is carried, or over which kernels are one polynomial: no pressure that
+/// decays like an exponential function reaches so far. Twice as far: no other place is found.
+const FARTHEST: f64 = 40.0;
+/// The part of a pressure on top that is carried by long waves.
+const HALF: f64 = 0.5;
+
+impl Kernel {
+    /// How far from what presses pressures between layers are looked at, in units of L.
+    pub(crate) fn farthest(&self) -> f64 {
+        let carried = |pair: usize| {
+            let panels = self.panels.iter().rev();
+            panels.filter(|panel| panel.coupled[pair]).find_map(|panel| panel.last_coupled_above(pair, HALF))
+        };
+        let longest = self.neighbours(0).filter_map(|(_, pair)| carried(pair)).fold(f64::INFINITY, f64::min);
+        let first = self.panels.first().map_or(1.0, |panel| panel.to);
+        FARTHEST / Some(longest).filter(|longest| longest.is_finite()).unwrap_or(first).max(first)
     }
 }
 
-/// Two conductances in series.
-fn in_series(a: f64, b: f64) -> f64 {
-    a * part(b, a)
-}
-
-/// a/(a + b), 0 where nothing conducts.
-fn part(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a / (a + b) }
+/// The components, as they stand in a sample.
+pub(super) fn of_openings(order: Components, closed: &ClosedContacts, components: &mut [f64]) {
+    for i in 0..order.contacts {
+        let own = if i == 0 { closed.compliance() } else { closed.pressure(i, i) };
+        (components[i], components[order.equal(i)]) = (own, own);
+    }
+    for pair in 0..order.pairs() {
+        let [above, below] = order.pair(pair);
+        components[order.coupling(pair)] =
+            if above == 0 { closed.carried(below) } else { closed.pressure(above, below) };
+    }
 }

@@ -191,6 +191,12 @@ impl Panel {
         self.samples(i).filter(|(_, value)| (value - limit).abs() > little).map(|(zeta, _)| zeta).last()
     }
 
+    /// The largest Gauss point at which a coupling is larger than `little`.
+    pub(super) fn last_coupled_above(&self, pair: usize, little: f64) -> Option<f64> {
+        let samples = self.samples(self.order.coupling(pair));
+        samples.filter(|(_, value)| value.abs() > little).map(|(zeta, _)| zeta).last()
+    }
+
     /// Bounds the remainders and the couplings, once the asymptotes are known.
     pub(super) fn measure(&mut self, asymptotes: &[Asymptote]) {
         let order = self.order;

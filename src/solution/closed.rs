@@ -1,7 +1,7 @@
 //! Interfaces that weights, or a pressure on top, keep closed but for openings.
 use serde::Serialize;
 
-use super::Interface;
+use super::{Interface, Strip};
 
 /// An interface between layers that are pressed together far away. Lengths and stresses are in the units of the scene.
 ///
@@ -32,6 +32,17 @@ pub struct ClosedInterface {
     pub smallest_at: f64,
     /// Where the layers are apart, from left to right; none while all is closed.
     pub openings: Vec<Opening>,
+    /// The slope of the gap in each of them, as pressures of contacts are.
+    #[serde(skip)]
+    pub(crate) slopes: Vec<Strip>,
+}
+
+impl ClosedInterface {
+    /// How far the layers are apart at a place, in length; 0 where they lie on each other.
+    pub fn gap(&self, x: f64) -> f64 {
+        let here = self.slopes.iter().find(|strip| (x - strip.at).abs() < strip.extent);
+        here.map_or(0.0, |strip| strip.extent * strip.from_left(((x - strip.at) / strip.extent).acos()))
+    }
 }
 
 /// An interval in which two layers that are pressed together far away are apart. Lengths are in the unit of the scene.

@@ -76,6 +76,19 @@ impl Strip {
         self
     }
 
+    /// The integral of the series and of what is singular at its ends from the left end to x = at + extent cos φ, over the extent.
+    pub(crate) fn from_left(&self, phi: f64) -> f64 {
+        let part = |k: usize| (k as f64 * phi).sin() / k as f64;
+        let term = |j: usize| match j {
+            1 => PI - phi + part(2),
+            _ => part(j + 1) - part(j - 1),
+        };
+        let even = self.coefficients.iter().enumerate().map(|(m, c)| c * term(2 * m + 1)).sum::<f64>();
+        let odd = self.skew.iter().enumerate().map(|(m, c)| c * term(2 * m + 2)).sum::<f64>();
+        let [left, right] = self.corners;
+        0.5 * (even + odd + (left + right) * (PI - phi) + (left - right) * phi.sin())
+    }
+
     /// The first coefficient of the series.
     pub(crate) fn first(&self) -> f64 {
         self.coefficients.first().copied().unwrap_or(0.0)

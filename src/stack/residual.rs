@@ -49,8 +49,15 @@ impl Stack {
         }
         let (mut residual, mut pressure) = (Residual::default(), self.pressure_on_top);
         for (i, group) in self.groups().enumerate() {
-            let is_free = i < self.laminates.len();
-            residual.curvatures.push(residual_of(&group, is_free, self.geometry, &mut pressure, &mut residual.layers));
+            // what weights press together stays flat, and what is joined to the base is not stretched
+            let [bends, is_free] = [i < self.loose(), i < self.laminates.len()];
+            residual.curvatures.push(residual_of(
+                &group,
+                [bends, is_free],
+                self.geometry,
+                &mut pressure,
+                &mut residual.layers,
+            ));
         }
         Some(residual)
     }
@@ -59,7 +66,7 @@ impl Stack {
 /// Adds the strains of the layers of a body under a pressure, which grows by their weights, and returns its curvature.
 fn residual_of(
     group: &Group,
-    is_free: bool,
+    [bends, is_free]: [bool; 2],
     geometry: Geometry,
     pressure: &mut f64,
     strains: &mut Vec<ResidualStrain>,
@@ -83,8 +90,7 @@ fn residual_of(
     let largest = group.layers().map(|placed| placed.layer.eigenstrain().abs()).fold(0.0, f64::max);
     let [moment, rigidity] =
         parts.iter().map(|(moments, _)| moments.bending()).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
-    let curvature =
-        if is_free && (moment / rigidity * top).abs() > ROUNDING * largest { moment / rigidity } else { 0.0 };
+    let curvature = if bends && (moment / rigidity * top).abs() > ROUNDING * largest { moment / rigidity } else { 0.0 };
     let count = parts.len();
     let mut tops = tops.into_iter();
     for (k, (Moments { stiffness: [whole, first, _], free: [resultant, _] }, layers)) in parts.into_iter().enumerate() {

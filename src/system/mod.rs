@@ -16,11 +16,13 @@
 //!
 //! Any legal stack gives as many conditions as amplitudes. They are written in `symbols/conditions.rs` and nowhere else: what
 //! is printed and what is eliminated are the same rows.
+mod closed;
 mod elimination;
 mod error;
 mod print;
 mod symbols;
 
+pub(crate) use closed::ClosedContacts;
 pub use elimination::{BaseChain, FreeChain};
 pub(crate) use elimination::{FaceLoad, slowest_decay};
 pub use error::{Unresolved, WrongCount};

@@ -11,11 +11,8 @@ use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::{Problem, Side};
 use crate::numeric::largest;
-use crate::solution::{ClosedInterface, Contact, Opening};
+use crate::solution::{ClosedInterface, Contact, Opening, Strip};
 
-/// Pressures are looked at up to this distance beyond all ends, over the wavenumber up to which kernels are one polynomial: no pressure that decays like an exponential function reaches so
-/// far. Twice as far: no other place is found.
-const FARTHEST: f64 = 20.0;
 /// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face, and the growth of steps beyond all ends.
 const PLACES: usize = 64;
 const WAVES: f64 = 4.0;
@@ -48,8 +45,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
     }
     let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
     lengths.exponentials.iter_mut().for_each(Vec::clear);
-    let panel = problem.kernel.panels.first().map_or(1.0, |panel| panel.to);
-    let (reach, farthest) = (largest(lengths.ends.iter().copied()), FARTHEST / panel);
+    let (reach, farthest) = (largest(lengths.ends.iter().copied()), 0.5 * problem.kernel.farthest());
     let layout = Layout::new(problem.kernel, &lengths, negligible(FIELDS), reach + farthest);
     let layout = layout.ok_or(Fault::Unknown)?;
     let own = Gaps::new(problem, &layout, level);
@@ -59,7 +55,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Res
         let intervals = level.support.of(contact);
         let is_closed = |x: &f64| intervals.iter().all(|own| *x < own.from() || *x > own.to());
         // waves as short as the layers at the faces feel
-        let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(panel));
+        let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(farthest.recip()));
         let mut places: Vec<f64> = places(intervals, reach, farthest, step);
         places.retain(is_closed);
         let pressures = own.pressures(contact, weight, &places);
@@ -106,8 +102,9 @@ pub(super) fn found(
     let own = Gaps::new(problem, &layout, level);
     let of = |(contact, (smallest_pressure, smallest_at)): (usize, &(f64, f64))| {
         let Side::Openings(weight) = problem.sides[contact] else { return None };
-        let numbers = (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
-        let openings = numbers.map(|number| {
+        let numbers = || (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
+        let slopes = numbers().map(|number| level.regular[number].strip(&level.support.0[number])).collect();
+        let openings = numbers().map(|number| {
             let (interval, pressure) = (&level.support.0[number], &level.regular[number]);
             let [left_error, right_error] = errors.ends[number].map(|error| error * interval.half);
             let phi = widest(pressure, interval);
@@ -134,6 +131,7 @@ pub(super) fn found(
             smallest_pressure: *smallest_pressure,
             smallest_at: if problem.has_even_answer() { smallest_at.abs() } else { *smallest_at },
             openings,
+            slopes,
         })
     };
     opened.into_iter().zip(least).map(of).collect()
@@ -176,6 +174,8 @@ impl ClosedInterface {
         }
         self.smallest_pressure *= pressure;
         self.smallest_at = self.smallest_at * length + by;
+        let moved = |strip: Strip| Strip { at: strip.at * length + by, ..strip.scaled(length, slope) };
+        self.slopes = self.slopes.into_iter().map(moved).collect();
         for own in &mut self.openings {
             [own.left, own.right, own.largest_gap_at] =
                 [own.left, own.right, own.largest_gap_at].map(|x| x * length + by);

@@ -70,7 +70,8 @@ impl Pressure {
     /// The pressure, or the gap over the half-length, at angles πk/places, k = 1, 2, ..., from the right end inwards; of what is even, on the right half.
     pub(super) fn inside(&self, interval: &ContactInterval, places: usize) -> Vec<f64> {
         if interval.opens {
-            return (1..places).map(|k| self.gap(interval, PI * k as f64 / places as f64)).collect();
+            let slope = self.strip(interval);
+            return (1..places).map(|k| slope.from_left(PI * k as f64 / places as f64)).collect();
         }
         let (strip, last) = (self.strip(interval), if interval.is_even() { places / 2 } else { places - 1 });
         (1..=last).map(|k| strip.pressure(interval.place(PI * k as f64 / places as f64))).collect()
@@ -92,14 +93,7 @@ impl Pressure {
 
     /// The gap of an opening over its half-length at an angle: the integral of its slope from the left end.
     pub(super) fn gap(&self, interval: &ContactInterval, phi: f64) -> f64 {
-        let part = |k: usize| (k as f64 * phi).sin() / k as f64;
-        let term = |(m, y): (usize, &f64)| match interval.order(m) {
-            1 => 0.5 * y * (PI - phi + part(2)),
-            j => 0.5 * y / j as f64 * (part(j + 1) - part(j - 1)),
-        };
-        let end = |(side, q): (&f64, &f64)| 0.5 * q * (PI - phi - side * phi.sin());
-        let ends: f64 = interval.sides().iter().zip(&self.singular).map(end).sum();
-        interval.unit() * (self.terms.iter().enumerate().map(term).sum::<f64>() + ends)
+        self.strip(interval).from_left(phi)
     }
 
     /// How large its terms are: about 1 of a pressure.
