@@ -319,8 +319,8 @@ impl Model {
     /// # Errors
     /// [`FieldError::OtherStack`] if the solution is one of another stack; others if the fields cannot be computed.
     pub fn profile(&self, top: impl Into<Top>, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
-        self.check_closed(solution)?;
-        profile::profile(&top.into(), self.solved(), solution, x)
+        self.check_owns(solution)?;
+        profile::profile(&top.into(), self.stack_of(solution), solution, x)
     }
 
     /// How far the punch has sunk into the stack since it touched it first, and the stiffness dP/dδ, for a solution of this model.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use crate::field::{FULL, FaceProfile, FaceSide, Field, FieldError};
 use crate::geometry::Geometry;
 use crate::scene::Top;
-use crate::solution::{Contact, Interface, Interval, Solution};
+use crate::solution::{ClosedInterface, Contact, Interface, Interval, Solution};
 use crate::stack::Stack;
 
 /// A profile that is not told how far to go goes to this many times the end of the farthest contact.
@@ -94,7 +94,17 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
         touching += 2 * each.len();
     }
     faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
+    contacts.extend(solution.closed().iter().filter_map(|own| closed(own, &faces, x)));
     Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
+}
+
+/// An interface that weights press together.
+fn closed(own: &ClosedInterface, faces: &[FaceProfile], x: &[f64]) -> Option<ContactProfile> {
+    let Interface::Between { above, .. } = own.interface else { return None };
+    let face = faces.iter().find(|face| face.layer == above && face.side == FaceSide::Bottom)?;
+    let pressure = face.points.iter().map(|point| -point.sigma_yy).collect();
+    let gap = Some(x.iter().map(|x| own.gap(*x)).collect());
+    Some(ContactProfile { interface: own.interface, pressure, gap })
 }
 
 /// A gap at places along x by how much higher one body is there, counted from the straight line through two places where they touch.

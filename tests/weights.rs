@@ -112,6 +112,62 @@ fn the_field_carries_the_weight_and_the_force() {
     assert!((at(1e4, 2).sigma_xx + 1.0 / 3.0).abs() < 1e-6);
 }
 
+/// In an opening nothing presses, and the faces are apart by the gap that is told; beside it they press on each other, and lie on each other.
+#[test]
+fn fields_of_layers_that_come_apart_carry_their_pressures() {
+    let uniform = "geometry: PlaneStrain, load: Uniform(half_width: 0.5), force: 200.0";
+    let parabola = "geometry: PlaneStrain, punch: Parabola(radius: 0.05), force: 200.0";
+    let two = "Scene(geometry: PlaneStrain, load: Line, force: 300, stack: [
+        Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0), Receding,
+        Homogeneous(thickness: 0.8, shear_modulus: 1.5, poisson: 0.25, specific_weight: 1.875), Receding,
+        HalfPlane(shear_modulus: 0.75, poisson: 0.25)])"
+        .to_owned();
+    for text in [on(1.0, uniform, ""), on(0.0, uniform, ""), on(1.0, parabola, ""), two] {
+        let scene = Scene::from_ron(&text).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        let field = model.field(&solution).unwrap();
+        for (number, own) in (1..).zip(solution.closed()) {
+            let depth = if number == 1 { 1.0 } else { 1.8 };
+            let opening = solution.closed()[0].openings[1];
+            let is_last = text.contains("Rigid");
+            let v = |x: f64, layer: usize| {
+                if layer > 1 && is_last { 0.0 } else { field.at_layer(x, depth, layer).unwrap().v }
+            };
+            let places = [
+                0.0,
+                0.5 * opening.left,
+                opening.largest_gap_at,
+                0.7 * opening.left + 0.3 * opening.right,
+                -opening.largest_gap_at,
+                1.3 * opening.right,
+                -2.0 * opening.right,
+            ];
+            for x in places {
+                let above = field.at_layer(x, depth, number).unwrap();
+                let size = own.central_pressure;
+                assert!(above.sigma_xy.abs() < 1e-6 * size, "{text} {x}: {above:?}");
+                let gap = own.gap(x);
+                if gap > 0.0 {
+                    assert!(above.sigma_yy.abs() < 1e-6 * size, "{text} {x}: {above:?}");
+                } else {
+                    assert!(above.sigma_yy < 0.0, "{text} {x}: {above:?}");
+                }
+                if !is_last {
+                    let below = field.at_layer(x, depth, number + 1).unwrap();
+                    assert!((above.sigma_yy - below.sigma_yy).abs() < 1e-6 * size, "{text} {x}: {above:?} {below:?}");
+                }
+                let apart = v(x, number) - v(x, number + 1);
+                assert!((apart - gap).abs() < 1e-6 * opening.largest_gap + 1e-9 * size, "{text} {x}: {apart} {gap}");
+            }
+            let central = field.at_layer(0.0, depth, number).unwrap().sigma_yy;
+            assert!((own.central_pressure / central + 1.0).abs() < 1e-7, "{text}: {own:?} {central}");
+        }
+        assert!(model.profile(&scene.top, &solution, &[0.3, 2.0]).unwrap().contacts.len() > 1);
+        assert!(field.max_shear().unwrap().value > 0.0);
+    }
+}
+
 #[test]
 fn even_curvature_is_pressed_flat() {
     let line = "geometry: PlaneStrain, load: Line, force: 20.0";

@@ -18,8 +18,10 @@ pub enum FieldError {
     /// The field was requested so far away, the farthest point at this distance from the middle, that it would take too many wavenumbers.
     #[error("a place {0:?} from the middle is too far from the contacts for the field to be computed there")]
     TooFar(f64),
-    /// The field was requested where layers that weights press together come apart.
-    #[error("layers that weights press together come apart, and stresses and displacements are not told then")]
+    /// An approach or a check by collocation was requested where layers that weights press together come apart.
+    #[error(
+        "layers that weights press together come apart, and neither approaches nor checks by collocation are told then"
+    )]
     Openings,
     /// The field was requested for the solution of another stack.
     #[error("the solution is of another stack than the model: its pressures do not belong to these layers")]

@@ -9,7 +9,7 @@ use super::scale::{Scale, label, short};
 use super::section::{self, GROUND, Section, WIDTH, hatching};
 use super::style::{INK, SMALL, curve};
 use crate::scene::Scene;
-use crate::solution::{Contact, Solution};
+use crate::solution::{ClosedInterface, Contact, Interface, Solution};
 use crate::stack::{Group, Placed, Stack};
 
 /// Greatest height of the layers together, in points.
@@ -37,7 +37,8 @@ const LISTED: usize = 5;
 /// thin or too thick to be seen.
 pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let total = stack.total_thickness();
-    let [left, right] = solution.ends();
+    let openings = solution.closed().iter().flat_map(|own| &own.openings).map(|one| [one.left, one.right]);
+    let [left, right] = openings.fold(solution.ends(), |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
     let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
     let longest = [half, total].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
     // points per length
@@ -56,6 +57,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let drawing = Drawing {
         section: Section::new(scene, solution, scale, 0.5 * WIDTH - scale * middle),
         stack,
+        closed: solution.closed(),
         is_ground,
         layers,
         middle,
@@ -77,6 +79,8 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
 struct Drawing<'a> {
     section: Section<'a>,
     stack: &'a Stack,
+    /// Interfaces that weights press together.
+    closed: &'a [ClosedInterface],
     /// Whether what does not move is below the layers.
     is_ground: bool,
     /// From the top down, a half-plane included.
@@ -130,25 +134,32 @@ impl Drawing<'_> {
         section::labels(picture, labels, Anchor::Left, [0.0, self.bottom], "layers");
     }
 
-    /// Gaps as they were before anything was loaded, in the layers above them. Returns labels that say by how much they are drawn higher than to scale.
+    /// Gaps as they were before anything was loaded, and openings, in the layers above them. Returns labels that say by how much they are drawn higher than to scale.
     fn gaps(&self, picture: &mut Picture) -> Vec<(f64, String)> {
         let (numbers, gaps) = (self.numbers(), self.stack.gaps());
         let mut labels = Vec::new();
-        for (found, y) in self.section.contacts_at(&numbers).into_iter().zip(&self.heights) {
-            let Some(Contact { interface, .. }) = found.map(|i| &self.section.contacts[i]) else { continue };
+        let mut draw = |height: &dyn Fn(f64) -> f64, y: f64, what: &str| {
             let places = (0..=POINTS).map(|k| WIDTH * k as f64 / POINTS as f64);
-            let height = |x: f64| gaps.height(*interface, (x - self.section.middle) / self.section.scale);
             // beyond its ends a gap is not known
-            let known: Vec<(f64, f64)> =
-                places.map(|x| (x, height(x))).filter(|(_, height)| height.is_finite()).collect();
+            let at = |x: f64| (x, height((x - self.section.middle) / self.section.scale));
+            let known: Vec<(f64, f64)> = places.map(at).filter(|(_, height)| height.is_finite()).collect();
             let highest = known.iter().fold(0.0, |most: f64, (_, height)| most.max(*height));
             if highest > 0.0 {
                 let times = rounded_down(GAP / (highest * self.section.scale)).max(1.0);
                 let outline = known.iter().map(|(x, height)| (*x, y - (times * self.section.scale * height).min(GAP)));
-                let ends = known.last().into_iter().chain(known.first()).map(|(x, _)| (*x, *y));
+                let ends = known.last().into_iter().chain(known.first()).map(|(x, _)| (*x, y));
                 picture.area(&outline.chain(ends).collect::<Vec<_>>(), WHITE);
-                labels.push((*y, format!("gap drawn × {}", label(times))));
+                labels.push((y, format!("{what} drawn × {}", label(times))));
             }
+        };
+        for (found, y) in self.section.contacts_at(&numbers).into_iter().zip(&self.heights) {
+            let Some(Contact { interface, .. }) = found.map(|i| &self.section.contacts[i]) else { continue };
+            draw(&|x| gaps.height(*interface, x), *y, "gap");
+        }
+        for own in self.closed {
+            let Interface::Between { above, .. } = own.interface else { continue };
+            let face = numbers.iter().position(|number| *number == above).map(|layer| layer + 1);
+            face.iter().for_each(|face| draw(&|x| own.gap(x), self.heights[*face], "opening"));
         }
         labels
     }
