@@ -35,7 +35,7 @@ pub struct ContactProfile {
 }
 
 /// Places from −`to` to `to`, about `count` of them, dense next to the ends of all contacts, where pressures and gaps begin like roots;
-/// without `to`, twice as far from the middle of what touches as its ends are.
+/// without `to`, twice as far from the middle of what touches, and of all openings, as their ends are.
 ///
 /// ```
 /// use recede::{HalfPlane, Model, Plane, Punch, Stack, profile_places};
@@ -47,13 +47,14 @@ pub struct ContactProfile {
 /// # Ok::<(), recede::Error>(())
 /// ```
 pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec<f64> {
-    let [left, right] = solution.ends();
+    let [left, right] = solution.ends_with_openings();
     let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
     // a line load by itself has no length
     let beyond = BEYOND * if half > 0.0 { half } else { 1.0 };
     let [first, last] = to.map_or([middle - beyond, middle + beyond], |to| [-to, to]);
     let ends = solution.contacts().iter().flat_map(Contact::intervals).flat_map(|one| [one.left, one.right]);
-    let inside = ends.chain([middle]).filter(|x| *x > first && *x < last);
+    let openings = solution.closed().iter().flat_map(|own| &own.openings).flat_map(|one| [one.left, one.right]);
+    let inside = ends.chain(openings).chain([middle]).filter(|x| *x > first && *x < last);
     let mut breaks: Vec<f64> = inside.chain([first, last]).collect();
     breaks.sort_by(f64::total_cmp);
     // what differs by rounding is one place

@@ -16,10 +16,12 @@ const GAP: f64 = 1e-8;
 /// Single pressures near the ends of contacts next to graded faces converge slower than resultants and the pressure in the middle.
 const PRESSURE: f64 = 1e-6;
 
+/// Nothing where layers with weights come apart, of which collocation knows nothing.
 fn checked(scene: &Scene) -> Vec<Collocated> {
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let solution = model.press_with(&scene.top, scene.force, &Options { tolerance: TOLERANCE }).unwrap();
-    model.collocate(&scene.top, &solution).unwrap()
+    let is_open = solution.closed().iter().any(|own| !own.openings.is_empty());
+    if is_open { Vec::new() } else { model.collocate(&scene.top, &solution).unwrap() }
 }
 
 fn assert_agrees(name: &str, scene: &Scene) {

@@ -49,7 +49,7 @@ fn fields_carry_the_pressures() {
             let point = field.at(x, 0.0).unwrap();
             // next to kinks pressures are series that end
             let error = 1e-5 * size;
-            let (normal, shear) = (point.sigma_yy + top.pressure(x), point.sigma_xy);
+            let (normal, shear) = (point.sigma_yy + top.pressure(x) + scene.pressure_on_top, point.sigma_xy);
             assert!(
                 normal.abs() < error && shear.abs() < error,
                 "{number} at {s}: {normal} {shear}\n{}",

@@ -202,7 +202,7 @@ fn what_cannot_be_is_refused_with_the_reason() {
     refused(on(1.0, line, "pressure_on_top: -0.5,"), "allowed is a finite number >= 0");
     refused(
         scene.replace("HalfPlane(", "HalfPlane(specific_weight: 1.0, "),
-        "layer 2 (HalfPlane) is a base, and has neither an eigenstrain nor a weight",
+        "layer 2 (HalfPlane) is a base, and has no weight",
     );
     refused(scene.replace("Receding", "Receding(gap: Wedge(slope: 0.1))"), "the gap there is not a parabola");
     let error = solved(&on(0.0, "geometry: Axisymmetric, load: Point, force: 200.0", "")).unwrap_err();

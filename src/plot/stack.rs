@@ -37,8 +37,7 @@ const LISTED: usize = 5;
 /// thin or too thick to be seen.
 pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     let total = stack.total_thickness();
-    let openings = solution.closed().iter().flat_map(|own| &own.openings).map(|one| [one.left, one.right]);
-    let [left, right] = openings.fold(solution.ends(), |all, one| [all[0].min(one[0]), all[1].max(one[1])]);
+    let [left, right] = solution.ends_with_openings();
     let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
     let longest = [half, total].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
     // points per length

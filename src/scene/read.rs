@@ -300,21 +300,18 @@ pub(super) fn read_item(item: &Node, number: usize, geometry: Geometry, origin: 
     }
     let read = (entry.read)(&own).map(Item::of);
     let read = read.map_err(|error| origin.explained(item, &owner, entry.describe().as_ref(), error))?;
-    let Some(first) = loads.first().map(|field| field.value.clone()) else { return Ok(read) };
-    let Item::Layer(layer) = &read else { return Err(no_loads(&first, &owner, origin)) };
-    if layer.thickness().is_none() {
-        return Err(no_loads(&first, &owner, origin));
-    }
+    let Some(first) = loads.first() else { return Ok(read) };
+    let thick =
+        if let Item::Layer(layer) = &read { Some(layer).filter(|layer| layer.thickness().is_some()) } else { None };
+    let Some(layer) = thick else {
+        let what = if &*first.name == "eigenstrain" { "eigenstrain" } else { "weight" };
+        return Err(origin.error_at(&first.value, format!("{owner} is a base, and has no {what}")));
+    };
     own.kind = Kind::Fields(loads);
     let read = own.read_inner::<OwnLoads>();
     let loads = read.map_err(|error| origin.explained(item, &owner, Some(&Value::of::<OwnLoads>()), error))?;
     let loaded = Loaded::of(layer.clone()).with_eigenstrain(loads.eigenstrain.map_or(0.0, Finite::get));
     Ok(Item::layer(loaded.with_specific_weight(loads.specific_weight.map_or(0.0, Pressing::get))))
-}
-
-/// The error that a base has an eigenstrain or a weight.
-fn no_loads(node: &Node, owner: &str, origin: &Origin) -> SceneError {
-    origin.error_at(node, format!("{owner} is a base, and has neither an eigenstrain nor a weight"))
 }
 
 /// The fields of a receding interface.

@@ -227,6 +227,12 @@ impl Solution {
         ends.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])]).unwrap_or_default()
     }
 
+    /// The same with all openings of interfaces that weights keep closed elsewhere.
+    pub(crate) fn ends_with_openings(&self) -> [f64; 2] {
+        let openings = self.closed.iter().flat_map(|own| &own.openings);
+        openings.fold(self.ends(), |[left, right], one| [left.min(one.left), right.max(one.right)])
+    }
+
     /// As far as the bodies touch, or a load presses, on the interface where that is farthest; `None` where a line load on
     /// x = 0 is all that presses.
     pub fn extent(&self) -> Option<f64> {

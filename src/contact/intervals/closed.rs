@@ -26,7 +26,7 @@ pub(crate) fn of_openings(
     contacts: &[Contact],
     openings: &[(usize, [f64; 2])],
 ) -> Option<Intervals> {
-    let mut all = match problem.is_known(0) {
+    let mut all = match problem.unknown().all(|contact| problem.is_opened(contact)) {
         true => Vec::new(),
         false => of_contacts(problem, contacts)?.0,
     };
