@@ -36,7 +36,10 @@ from ._recede import __version__ as __version__
 from ._recede import examine as _examine
 from ._solutions import Contacts as Contacts
 from ._solutions import Carried as Carried
+from ._solutions import ClosedInterface as ClosedInterface
 from ._solutions import Interval as Interval
+from ._solutions import Opening as Opening
+from ._solutions import Separation as Separation
 from ._solutions import Solutions as Solutions
 from ._sweep import sweep as sweep
 from ._table import Columns as Columns

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Fields
 from ._items import Item, Load, Punch, Tilt
-from ._solutions import Carried, Contacts, Interval, Solutions
+from ._solutions import Carried, ClosedInterface, Contacts, Interval, Separation, Solutions
 from ._table import Columns
 from ._text import Stack
 from ._values import PlacedLoad, Pressed, Units
@@ -45,6 +45,7 @@ class Scene:
             `[(Line(), -0.5, 0.2), (Uniform(half_width=0.2), 1.0, 0.8)]`.
         half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
         depth: in place of the force: how far the punch sinks, in length.
+        pressure_on_top: a pressure everywhere on the top face, also under a punch, >= 0, in stress.
         geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; a `Stack` brings its own.
         name: a name for reports.
         description: what the scene shows.
@@ -66,6 +67,7 @@ class Scene:
         loads: Iterable[PlacedLoad | tuple[Load, float, float] | Mapping[str, object]] | None = None,
         half_length: float | str | None = None,
         depth: float | str | None = None,
+        pressure_on_top: float | str | None = None,
         geometry: str | None = None,
         name: str | None = None,
         description: str | None = None,
@@ -126,6 +128,9 @@ class Scene:
     @property
     def force(self) -> float | None:
         """The force; None where a half-length or a depth is given."""
+    @property
+    def pressure_on_top(self) -> float:
+        """The pressure everywhere on the top face, in stress; 0 if there is none."""
     @property
     def paths(self) -> list[str]:
         """The paths of all numbers that may vary, such as "force" and "layer[2].beta"."""
@@ -263,6 +268,14 @@ class Solution:
     @property
     def carried(self) -> list[Carried]:
         """What each punch carries, from left to right; none for loads, and for one punch at x = 0 that is not turned."""
+
+    @property
+    def closed(self) -> list[ClosedInterface]:
+        """The interfaces that weights, or a pressure on top, keep closed but for openings, from the top down; they are no contacts."""
+
+    @property
+    def separation(self) -> Separation | None:
+        """When layers that weights press together begin to come apart, if all forces are scaled together; or None."""
 
     @property
     def rotations(self) -> list[float]:

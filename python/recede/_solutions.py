@@ -35,6 +35,40 @@ class Carried(NamedTuple):
     approach_error: float | None
 
 
+class Opening(NamedTuple):
+    """An interval in which two layers that are pressed together far away are apart, in length, with the largest gap and its place."""
+
+    left: float
+    right: float
+    left_error: float
+    right_error: float
+    largest_gap: float
+    largest_gap_at: float
+
+
+class ClosedInterface(NamedTuple):
+    """An interface that weights, or a pressure on top, keep closed but for openings: its name, its pressure far away, its pressure at x = 0, and the
+    smallest pressure outside openings with its place, in stress and length.
+    """
+
+    interface: str
+    weight: float
+    central_pressure: float
+    central_pressure_error: float
+    smallest_pressure: float
+    smallest_at: float
+    openings: tuple[Opening, ...]
+
+
+class Separation(NamedTuple):
+    """When layers that weights press together begin to come apart: the force, per unit length out of the plane, the interface, and the place."""
+
+    critical_force: float
+    critical_force_error: float
+    interface: str
+    x: float
+
+
 class Contacts(tuple[Contact, ...]):
     """Contacts from the top down, by number from 0, or by name: `contacts["punch"]`, `contacts["2|3"]`."""
 

@@ -131,6 +131,7 @@ def scene(
     loads: Any = None,
     half_length: Any = None,
     depth: Any = None,
+    pressure_on_top: Any = None,
     geometry: str | None = None,
     name: str | None = None,
     description: str | None = None,
@@ -147,7 +148,7 @@ def scene(
         if given is not None and not isinstance(given, Item):
             raise TypeError(f"`{called}` has to be one such as `Cylinder(radius=...)`, not {given!r}")
     numbers = dict(zip(KINDS_OF_FORCE, (force, half_length, depth), strict=True))
-    for called, number in numbers.items():
+    for called, number in {**numbers, "pressure_on_top": pressure_on_top}.items():
         if number is not None and not isinstance(number, int | float | str | np.number) or isinstance(number, bool):
             raise TypeError(f"`{called}` has to be a number, or a text such as '2 kN', not {number!r}")
     text = Text()
@@ -163,6 +164,9 @@ def scene(
         if one is not None:
             value = kept(one, object, called)
             text.add(f"{INDENT}{called}: {written(value)},", one if isinstance(one, Item) else f"{called}={value!r}")
+    if pressure_on_top is not None:
+        pressure = kept(pressure_on_top, object, "pressure_on_top")
+        text.add(f"{INDENT}pressure_on_top: {written(pressure)},", f"pressure_on_top={pressure!r}")
     text.add(f"{INDENT}stack: [")
     for item in items:
         text.add(f"{2 * INDENT}{item.ron()},", item)
@@ -226,7 +230,7 @@ def part(text: str, name: str) -> Any:
 def scene_repr(text: str) -> str:
     """A scene in JSON as it is written in Python."""
     first = ", ".join(repr(part(text, name)) for name in ("stack", "punch", "force"))
-    names = ("name", "description", "half_length", "depth", "units", "load", "punches", "loads")
+    names = ("name", "description", "half_length", "depth", "units", "load", "punches", "loads", "pressure_on_top")
     rest = {name: part(text, name) for name in names}
     return f"Scene({first}{''.join(f', {name}={value!r}' for name, value in rest.items() if value is not None)})"
 

@@ -24,6 +24,7 @@ use crate::source::{Functions, Source};
 ///         `[(Line(), -0.5, 0.2), (Uniform(half_width=0.2), 1.0, 0.8)]`.
 ///     half_length: in place of the force: the half-length (radius) of the contact under the punch, in length.
 ///     depth: in place of the force: how far the punch sinks, in length.
+///     pressure_on_top: a pressure everywhere on the top face, also under a punch, >= 0, in stress.
 ///     geometry: "PlaneStrain", "PlaneStress" or "Axisymmetric"; a `Stack` brings its own.
 ///     name: a name for reports.
 ///     description: what the scene shows.
@@ -92,7 +93,7 @@ impl Scene {
     #[pyo3(
         signature = (stack, punch=None, force=None, **fields),
         text_signature = "(stack, punch=None, force=None, *, punches=None, load=None, loads=None, half_length=None, depth=None, \
-                          geometry=None, name=None, description=None, units=None)"
+                          pressure_on_top=None, geometry=None, name=None, description=None, units=None)"
     )]
     fn new(
         py: Python<'_>,
@@ -208,6 +209,12 @@ impl Scene {
     #[getter]
     fn force<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.part(py, "force")
+    }
+
+    /// The pressure everywhere on the top face, in stress; 0 if there is none.
+    #[getter]
+    fn pressure_on_top(&self) -> f64 {
+        self.inner.pressure_on_top
     }
 
     /// The paths of all numbers that may vary, such as "force" and "layer[2].beta".

@@ -142,6 +142,40 @@ impl Solution {
         all.iter().enumerate().map(of).collect()
     }
 
+    /// The interfaces that weights, or a pressure on top, keep closed but for openings, from the top down; they are no contacts.
+    #[getter]
+    fn closed<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let module = py.import("recede._solutions")?;
+        let of = |own: &recede::ClosedInterface| {
+            let opening = |one: &recede::Opening| {
+                let numbers =
+                    (one.left, one.right, one.left_error, one.right_error, one.largest_gap, one.largest_gap_at);
+                module.call_method1("Opening", numbers)
+            };
+            let openings = PyTuple::new(py, own.openings.iter().map(opening).collect::<PyResult<Vec<_>>>()?)?;
+            let pressures = (own.weight, own.central_pressure, own.central_pressure_error);
+            let (weight, central, error) = pressures;
+            let least = (own.smallest_pressure, own.smallest_at);
+            module.call_method1(
+                "ClosedInterface",
+                (own.interface.to_string(), weight, central, error, least.0, least.1, openings),
+            )
+        };
+        self.0.solution.closed().iter().map(of).collect()
+    }
+
+    /// When layers that weights press together begin to come apart, if all forces are scaled together; or None.
+    #[getter]
+    fn separation<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let Solved { solver, scene, solution, .. } = &*self.0;
+        let found = py.detach(|| solver.model.separation(&scene.top, solution));
+        let make = |own: recede::Separation| {
+            let numbers = (own.critical_force, own.critical_force_error, own.interface.to_string(), own.x);
+            py.import("recede._solutions")?.call_method1("Separation", numbers)
+        };
+        found.map_err(|error| solver.failed(py, &error))?.map(make).transpose()
+    }
+
     /// The angles by which the layers above each receding interface are turned: the means of their slopes far to the left and far to the right.
     #[getter]
     fn rotations(&self) -> Vec<f64> {

@@ -396,3 +396,20 @@ def test_layers_may_be_apart_and_strained():
     ]:
         with pytest.raises(recede.InputError, match=message):
             make()
+
+
+def test_layers_with_weights_come_apart() -> None:
+    stack = [Homogeneous(thickness=1.0, shear_modulus=0.75, poisson=0.25, specific_weight=0.5), Receding(), recede.Rigid()]
+    scene = Scene(stack, load=recede.Line(), force=100.0, pressure_on_top=0.5)
+    assert scene.pressure_on_top == 0.5
+    solution = scene.solve()
+    (own,) = solution.closed
+    assert own.interface == "1|2" and own.weight == 1.0
+    left, right = own.openings
+    assert right.left == pytest.approx(1.22846271344, rel=1e-10)
+    assert left.left == -right.right
+    assert right.largest_gap == pytest.approx(0.9870283479, rel=1e-9)
+    separation = solution.separation
+    assert separation is not None and separation.critical_force == pytest.approx(44.13910598462163)
+    assert scene.solve().separation == separation
+    assert Scene(stack, load=recede.Line(), force=1.0).solve().closed[0].openings == ()

@@ -41,7 +41,7 @@ impl ClosedInterface {
     /// How far the layers are apart at a place, in length; 0 where they lie on each other.
     pub fn gap(&self, x: f64) -> f64 {
         let here = self.slopes.iter().find(|strip| (x - strip.at).abs() < strip.extent);
-        here.map_or(0.0, |strip| strip.extent * strip.from_left(((x - strip.at) / strip.extent).acos()))
+        here.map_or(0.0, |strip| strip.extent * strip.integral_to(((x - strip.at) / strip.extent).acos()))
     }
 }
 

@@ -77,7 +77,7 @@ impl Strip {
     }
 
     /// The integral of the series and of what is singular at its ends from the left end to x = at + extent cos φ, over the extent.
-    pub(crate) fn from_left(&self, phi: f64) -> f64 {
+    pub(crate) fn integral_to(&self, phi: f64) -> f64 {
         let part = |k: usize| (k as f64 * phi).sin() / k as f64;
         let term = |j: usize| match j {
             1 => PI - phi + part(2),

@@ -71,7 +71,7 @@ impl Pressure {
     pub(super) fn inside(&self, interval: &ContactInterval, places: usize) -> Vec<f64> {
         if interval.opens {
             let slope = self.strip(interval);
-            return (1..places).map(|k| slope.from_left(PI * k as f64 / places as f64)).collect();
+            return (1..places).map(|k| slope.integral_to(PI * k as f64 / places as f64)).collect();
         }
         let (strip, last) = (self.strip(interval), if interval.is_even() { places / 2 } else { places - 1 });
         (1..=last).map(|k| strip.pressure(interval.place(PI * k as f64 / places as f64))).collect()
@@ -93,7 +93,7 @@ impl Pressure {
 
     /// The gap of an opening over its half-length at an angle: the integral of its slope from the left end.
     pub(super) fn gap(&self, interval: &ContactInterval, phi: f64) -> f64 {
-        self.strip(interval).from_left(phi)
+        self.strip(interval).integral_to(phi)
     }
 
     /// How large its terms are: about 1 of a pressure.
