@@ -51,14 +51,17 @@ class Homogeneous(StackItem):
         young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
+        specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
+            not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "poisson", "shear_modulus", "young", "eigenstrain")
+    __slots__ = ("thickness", "poisson", "shear_modulus", "young", "eigenstrain", "specific_weight")
     thickness: float | str
     poisson: float | str
     shear_modulus: float | str | None
     young: float | str | None
     eigenstrain: float | str | None
+    specific_weight: float | str | None
 
     def __init__(
         self,
@@ -68,6 +71,7 @@ class Homogeneous(StackItem):
         shear_modulus: Number | None = None,
         young: Number | None = None,
         eigenstrain: Number | None = None,
+        specific_weight: Number | None = None,
     ) -> None:
         self._set(
             thickness=thickness,
@@ -75,6 +79,7 @@ class Homogeneous(StackItem):
             shear_modulus=shear_modulus,
             young=young,
             eigenstrain=eigenstrain,
+            specific_weight=specific_weight,
         )
 
 
@@ -92,15 +97,18 @@ class Exponential(StackItem):
             0.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
+        specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
+            not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young", "eigenstrain")
+    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young", "eigenstrain", "specific_weight")
     thickness: float | str
     poisson: float | str
     beta: float | str
     shear_modulus: float | str | None
     young: float | str | None
     eigenstrain: float | str | None
+    specific_weight: float | str | None
 
     def __init__(
         self,
@@ -111,6 +119,7 @@ class Exponential(StackItem):
         shear_modulus: Number | None = None,
         young: Number | None = None,
         eigenstrain: Number | None = None,
+        specific_weight: Number | None = None,
     ) -> None:
         self._set(
             thickness=thickness,
@@ -119,6 +128,7 @@ class Exponential(StackItem):
             shear_modulus=shear_modulus,
             young=young,
             eigenstrain=eigenstrain,
+            specific_weight=specific_weight,
         )
 
 
@@ -133,15 +143,18 @@ class Graded(StackItem):
         poisson_profile: Poisson's ratio as a function of depth, in place of `poisson`.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
+        specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
+            not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile", "eigenstrain")
+    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile", "eigenstrain", "specific_weight")
     thickness: float | str
     shear_modulus: Profile | None
     young: Profile | None
     poisson: float | str | None
     poisson_profile: Profile | None
     eigenstrain: float | str | None
+    specific_weight: float | str | None
 
     def __init__(
         self,
@@ -152,6 +165,7 @@ class Graded(StackItem):
         poisson: Number | None = None,
         poisson_profile: Profile | None = None,
         eigenstrain: Number | None = None,
+        specific_weight: Number | None = None,
     ) -> None:
         self._set(
             thickness=thickness,
@@ -160,6 +174,7 @@ class Graded(StackItem):
             poisson=poisson,
             poisson_profile=poisson_profile,
             eigenstrain=eigenstrain,
+            specific_weight=specific_weight,
         )
 
 
@@ -173,14 +188,17 @@ class Orthotropic(StackItem):
         shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
+        specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
+            not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "young", "poisson", "shear_modulus", "eigenstrain")
+    __slots__ = ("thickness", "young", "poisson", "shear_modulus", "eigenstrain", "specific_weight")
     thickness: float | str
     young: OrthotropicYoung
     poisson: OrthotropicPoisson
     shear_modulus: float | str
     eigenstrain: float | str | None
+    specific_weight: float | str | None
 
     def __init__(
         self,
@@ -190,6 +208,7 @@ class Orthotropic(StackItem):
         poisson: OrthotropicPoisson | tuple[Number, Number, Number] | Mapping[str, Number],
         shear_modulus: Number,
         eigenstrain: Number | None = None,
+        specific_weight: Number | None = None,
     ) -> None:
         self._set(
             thickness=thickness,
@@ -197,6 +216,7 @@ class Orthotropic(StackItem):
             poisson=poisson,
             shear_modulus=shear_modulus,
             eigenstrain=eigenstrain,
+            specific_weight=specific_weight,
         )
 
 

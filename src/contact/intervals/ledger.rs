@@ -43,8 +43,8 @@ impl Equations<'_> {
             let [terms, tested, alone, between] = match is_opened {
                 true => [
                     "terms of slopes of gaps",
-                    "pressures that vanish, tested with cos kφ, k > 0",
-                    "pressures that vanish, tested with k = 0",
+                    "pressures in openings, tested with cos kφ, k > 0",
+                    "pressures in openings, tested with k = 0",
                     "gaps that close again",
                 ],
                 false => [
