@@ -7,10 +7,9 @@ use std::sync::Arc;
 use num_complex::Complex64;
 use recede_layers::{Plane, Wave};
 
-use super::pressure::ContactPressure;
 use super::strip::TabulatedStrip;
 use super::transform::Transform;
-use crate::solution::ClosedInterface;
+use crate::solution::{ClosedInterface, Contact, Strip};
 use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain};
 
@@ -25,7 +24,7 @@ pub(super) struct ClosedBodies {
     plane: Plane,
     modulus: f64,
     /// The pressure on top.
-    top: ContactPressure,
+    top: Vec<TabulatedStrip>,
     /// The slopes of the gaps of each interface, as pressures.
     slopes: Vec<Vec<TabulatedStrip>>,
 }
@@ -41,7 +40,8 @@ pub(super) struct Closed {
 }
 
 impl ClosedBodies {
-    pub(super) fn new(stack: &Stack, modulus: f64, top: ContactPressure, closed: &[ClosedInterface]) -> Self {
+    pub(super) fn new(stack: &Stack, modulus: f64, top: &Contact, closed: &[ClosedInterface]) -> Self {
+        let top = top.strips.iter().map(TabulatedStrip::new).collect();
         let system = BlockSystem::new(stack);
         let slopes = closed.iter().map(|own| own.slopes.iter().map(TabulatedStrip::new).collect()).collect();
         let (laminates, base, plane) = (FreeChain::all(&system), BaseChain::of(&system), stack.plane());
@@ -70,29 +70,56 @@ impl Closed {
         Self { bodies: Arc::clone(bodies), number, stiffness: bodies.modulus * stiffness }
     }
 
-    /// The pressure on top, which has the same resultant and moment.
-    pub(super) fn top(&self) -> &ContactPressure {
-        &self.bodies.top
+    /// The distance of the farthest end of the pressure on top.
+    pub(super) fn half_length(&self) -> f64 {
+        let ends = self.bodies.top.iter().flat_map(|one| one.strip.ends());
+        ends.fold(0.0, |most: f64, end| most.max(end.abs()))
+    }
+
+    /// The transform of long waves: the pressure on top has the same resultant and moment.
+    pub(super) fn long_waves(&self, wavenumber: f64) -> Complex64 {
+        let strips = || self.bodies.top.iter().map(|one| &one.strip);
+        let moment = strips().map(|strip| strip.at * strip.long_waves() + strip.moment()).sum::<f64>();
+        Complex64::new(strips().map(Strip::long_waves).sum(), wavenumber * moment)
+    }
+
+    /// An amplitude of p̂ at a wavenumber, of this interface with these slopes.
+    pub(super) fn envelope(&self, slopes: &[TabulatedStrip], wavenumber: f64) -> f64 {
+        let sum = |strips: &[TabulatedStrip]| strips.iter().map(|one| one.envelope(wavenumber)).sum::<f64>();
+        sum(&self.bodies.top) + self.stiffness * sum(slopes)
     }
 
     /// The transforms at some wavenumbers; no numbers where a layer's states are not finite.
     pub(super) fn transforms(&self, wavenumbers: &[f64]) -> Vec<Transform> {
-        let top = self.bodies.top.transforms(wavenumbers);
-        let slopes: Vec<Vec<Complex64>> =
-            self.bodies.slopes.iter().map(|strips| super::pressure::sum_of(strips, wavenumbers)).collect();
+        let top = sum_of(&self.bodies.top, wavenumbers);
+        let slopes: Vec<Vec<Transform>> = self.bodies.slopes.iter().map(|strips| sum_of(strips, wavenumbers)).collect();
         let of = |(k, wavenumber): (usize, &f64)| {
             let Some(closed) = self.bodies.at(*wavenumber) else { return Transform::none() };
             let (carried, lost) = (closed.carried(self.number), closed.lost(self.number));
             let by_gaps = slopes.iter().enumerate().map(|(other, slopes)| {
-                Complex64::I * self.bodies.modulus * closed.pressure(self.number, other + 1) * slopes[k]
+                Complex64::I * self.bodies.modulus * closed.pressure(self.number, other + 1) * slopes[k].value
             });
             let by_gaps: Complex64 = by_gaps.sum();
             Transform {
                 value: carried * top[k].value + by_gaps,
                 variation: top[k].variation - lost * top[k].value + by_gaps,
-                local: Complex64::I * self.stiffness * slopes[self.number - 1][k],
+                local: Complex64::I * self.stiffness * slopes[self.number - 1][k].value,
             }
         };
         wavenumbers.iter().enumerate().map(of).collect()
     }
+}
+
+/// The transforms of strips together.
+fn sum_of(strips: &[TabulatedStrip], wavenumbers: &[f64]) -> Vec<Transform> {
+    let mut sums = vec![Transform::default(); wavenumbers.len()];
+    for TabulatedStrip { strip, .. } in strips {
+        let own = strip.transforms(wavenumbers).into_iter().zip(wavenumbers);
+        let moved = own.map(|(own, wavenumber)| own.moved(*wavenumber, strip.at, strip.long_waves()));
+        for (sum, Transform { value, variation, .. }) in sums.iter_mut().zip(moved) {
+            sum.value += value;
+            sum.variation += variation;
+        }
+    }
+    sums
 }

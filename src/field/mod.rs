@@ -121,7 +121,7 @@ impl Field {
         let contacts = solution.contacts();
         let pressure = |contact| ContactPressure::new(contact, is_even, middle);
         let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
-        if let (false, Some(top)) = (closed.is_empty(), pressures.first().cloned()) {
+        if let (false, Some(top)) = (closed.is_empty(), contacts.first()) {
             let bodies = Arc::new(ClosedBodies::new(stack, modulus, top, closed));
             let of = |(k, own): (usize, &ClosedInterface)| {
                 ContactPressure::of_closed(own, Closed::new(&bodies, k + 1, stack.total_thickness()))

@@ -33,18 +33,6 @@ pub(crate) struct ContactPressure {
     closed: Option<Closed>,
 }
 
-/// The transforms of strips together.
-pub(super) fn sum_of(strips: &[TabulatedStrip], wavenumbers: &[f64]) -> Vec<Complex64> {
-    let mut sums = vec![Complex64::ZERO; wavenumbers.len()];
-    for TabulatedStrip { strip, .. } in strips {
-        let resultant = strip.long_waves();
-        for ((sum, own), wavenumber) in zip(zip(&mut sums, strip.transforms(wavenumbers)), wavenumbers) {
-            *sum += own.moved(*wavenumber, strip.at, resultant).value;
-        }
-    }
-    sums
-}
-
 impl ContactPressure {
     /// The pressure of a contact, which is even if `is_even`, with places that are counted from a `middle`.
     pub(crate) fn new(contact: &Contact, is_even: bool, middle: f64) -> Self {
@@ -70,7 +58,7 @@ impl ContactPressure {
     pub(super) fn of_closed(interface: &ClosedInterface, closed: Closed) -> Self {
         let strips: Vec<TabulatedStrip> = interface.slopes.iter().map(TabulatedStrip::new).collect();
         let ends: Vec<f64> = strips.iter().flat_map(|one| one.strip.ends()).collect();
-        let half_length = ends.iter().fold(closed.top().half_length, |most, end| most.max(end.abs()));
+        let half_length = ends.iter().fold(closed.half_length(), |most, end| most.max(end.abs()));
         Self { half_length, strips, ends, is_whole: true, is_even: false, far: 0.0, closed: Some(closed) }
     }
 
@@ -139,8 +127,7 @@ impl ContactPressure {
     /// An amplitude of p̂ at a wavenumber.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
         if let Some(closed) = &self.closed {
-            let slopes: f64 = self.strips.iter().map(|one| one.envelope(wavenumber)).sum();
-            return closed.top().envelope(wavenumber) + closed.stiffness * slopes;
+            return closed.envelope(&self.strips, wavenumber);
         }
         self.strips.iter().map(|one| self.images(&one.strip) * one.envelope(wavenumber)).sum()
     }
@@ -165,7 +152,7 @@ impl ContactPressure {
     /// The transform of long waves, P + iλM with the resultant and the moment.
     pub(crate) fn long_waves(&self, wavenumber: f64) -> Complex64 {
         if let Some(closed) = &self.closed {
-            return closed.top().long_waves(wavenumber);
+            return closed.long_waves(wavenumber);
         }
         let resultant = self.strips().map(|strip| self.images(strip) * strip.long_waves()).sum();
         let moment = self.strips().map(|strip| strip.at * strip.long_waves() + strip.moment()).sum::<f64>();

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::errors::Errors;
-use crate::contact::intervals::gaps::{Fault, Gaps};
+use crate::contact::intervals::gaps::{self, Fault, Gaps, Signs};
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::of_contacts;
 use crate::contact::intervals::pressure::Pressure;
@@ -34,11 +34,17 @@ pub(crate) fn of_openings(
     Some(Intervals(all))
 }
 
+/// Checks the signs of a solution: of gaps and pressures in contacts, see [`gaps::check`], and of pressures outside openings.
+pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves_out: bool) -> Result<Signs, Fault> {
+    let signs = gaps::check(problem, level, error, leaves_out)?;
+    Ok(Signs { closed: smallest(problem, level, error)?, ..signs })
+}
+
 /// The smallest pressure on each interface that lies on another one, and where it is.
 ///
 /// # Errors
 /// [`Fault::Penetration`] where the layers would pull: there is another opening there.
-pub(super) fn check(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<(f64, f64)>, Fault> {
+fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<(f64, f64)>, Fault> {
     let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
     if opened.is_empty() {
         return Ok(Vec::new());

@@ -2,7 +2,6 @@
 use std::f64::consts::PI;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
-use crate::contact::intervals::closed;
 use crate::contact::intervals::equations::Equations;
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::recontact::{Recontact, recontact};
@@ -59,7 +58,6 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     };
     let opens =
         |contact: &usize| !problem.sides[*contact].is_joined() && !problem.is_opened(*contact) && !decays(*contact);
-    signs.closed = closed::check(problem, level, error)?;
     let open: Vec<usize> = problem.unknown().filter(opens).collect();
     if open.is_empty() {
         return Ok(signs);

@@ -15,6 +15,7 @@ mod local;
 mod newton;
 mod pressure;
 mod recontact;
+mod responses;
 mod short_waves;
 mod space;
 mod steps;
@@ -146,7 +147,7 @@ fn refine(problem: &Problem, first: Approximation, leaves_out: bool, work: &mut 
         }
         stalls = !is_better;
         if !is_seen && counts.iter().any(|count| *count > MANY) {
-            gaps::check(problem, &last, COARSE, leaves_out).map_err(Some)?;
+            closed::check(problem, &last, COARSE, leaves_out).map_err(Some)?;
             is_seen = true;
             // no other start follows
             work.finish();
@@ -184,7 +185,7 @@ fn answered(
     }
     let mut warnings = Vec::new();
     warnings.extend(precision(problem.tolerance, errors.worst(), level.counts.iter().copied().max().unwrap_or(0)));
-    let signs = gaps::check(problem, &level, errors.worst(), leaves_out).map_err(Some)?;
+    let signs = closed::check(problem, &level, errors.worst(), leaves_out).map_err(Some)?;
     errors.admit(&level, &signs);
     warnings.extend(signs.recontacts.iter().map(|recontact| recontact.warning(problem)));
     warnings.extend(problem.unknown().filter_map(|contact| errors.unknown_end(problem, &level.support, contact)));

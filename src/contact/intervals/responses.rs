@@ -1,0 +1,94 @@
+//! The slopes of gaps that waves of pressures make, and how contacts and openings meet each other's waves.
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use crate::contact::integrals::samples::Samples;
+use crate::contact::intervals::equations::{Equations, Sampled};
+use crate::contact::intervals::waves::{AT_ONCE, Long};
+
+/// Which part of a wave a part of its effect comes from, and with which sign: a pressure and the slope of a gap are a quarter of a wave apart.
+fn turned(is_aside: bool, part: usize) -> [f64; 2] {
+    if is_aside { [1.0 - part as f64, 1.0 - 2.0 * part as f64] } else { [part as f64, 1.0] }
+}
+
+impl Equations<'_> {
+    /// Hands out, block by block of wavenumbers, the columns of each contact, and the slopes of waves that pressures with each of some sets of amplitudes make
+    /// outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
+    pub(super) fn responses(
+        &self,
+        sets: &[Vec<Vec<f64>>],
+        mut each: impl FnMut([usize; 2], Range<usize>, &Sampled, &[f64]),
+    ) {
+        for (number, first) in (0..self.layout.zeta.len()).step_by(AT_ONCE).enumerate() {
+            let sampled = self.sampled(number);
+            for (set, amplitudes) in sets.iter().enumerate() {
+                let of = |((waves, long), amplitudes): ((&Samples, &Long), &Vec<f64>)| {
+                    let less = waves.part(0..amplitudes.len()).combine(amplitudes);
+                    let all = long.added_to(&less, amplitudes);
+                    [less, all]
+                };
+                let fields: Vec<[Vec<f64>; 2]> =
+                    sampled.waves.iter().zip(&sampled.long).zip(amplitudes).map(of).collect();
+                for contact in self.problem.unknown() {
+                    let response = self.response(contact, first, &fields);
+                    let nodes = first..first + self.zeta(contact, first..first + AT_ONCE).len();
+                    each([set, contact], nodes, &sampled, &response);
+                }
+            }
+        }
+    }
+
+    /// The same of one contact, from a wavenumber on, from the waves of all pressures, first less what resultants and moments do.
+    fn response(&self, contact: usize, first: usize, fields: &[[Vec<f64>; 2]]) -> Vec<f64> {
+        let (parts, kernel) = (self.parts(), self.problem.kernel);
+        let [less, all] = &fields[contact];
+        let count = all.len() / parts;
+        let mut response = vec![0.0; all.len()];
+        for (other, pair) in kernel.neighbours(contact) {
+            let there = fields[other][0].len() / parts;
+            let weights = self.coupling(pair, first);
+            for part in 0..parts {
+                let sums = response[part * count..].iter_mut().take(count.min(there)).zip(weights).enumerate();
+                match kernel.has_openings() {
+                    // neighbours have resultants and moments in common
+                    false => sums.for_each(|(k, (sum, weight))| {
+                        *sum += weight / PI * (less[part * count + k] - fields[other][0][part * there + k]);
+                    }),
+                    true => {
+                        let [from, sign] = turned(contact == 0 || other == 0, part);
+                        let from = from as usize * there;
+                        sums.for_each(|(k, (sum, weight))| *sum -= sign * weight / PI * fields[other][1][from + k]);
+                    }
+                }
+            }
+        }
+        for (response, own) in response.chunks_mut(count.max(1)).zip(all.chunks(count.max(1))) {
+            let sums = response.iter_mut().zip(own).zip(self.own(contact, first));
+            sums.for_each(|((sum, own), weight)| *sum += weight / PI * own);
+        }
+        response
+    }
+
+    /// The columns of one contact as another one meets them through a coupling, if not less what resultants and moments do: of openings with that, and a quarter of a wave aside between a pressure
+    /// and the slope of a gap.
+    pub(super) fn met(&self, sampled: &Sampled, other: usize, contact: usize) -> Option<Samples> {
+        let (waves, long, parts) = (&sampled.waves[other], &sampled.long[other], self.parts());
+        if !self.problem.kernel.has_openings() {
+            return None;
+        }
+        let mut met = Samples::zeros(waves.rows(), waves.count());
+        let count = waves.rows() / parts;
+        for column in 0..waves.count() {
+            let told = long.places.iter().position(|place| *place == column).map(|told| long.values.column(told));
+            for part in 0..parts {
+                let [from, sign] = turned(contact == 0 || other == 0, part);
+                let from = from as usize * count;
+                for (k, into) in met.column_mut(column)[part * count..(part + 1) * count].iter_mut().enumerate() {
+                    let long = told.map_or(0.0, |told| told[from + k]);
+                    *into = sign * (waves.column(column)[from + k] + long);
+                }
+            }
+        }
+        Some(met)
+    }
+}

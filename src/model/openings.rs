@@ -1,0 +1,102 @@
+//! Layers that weights press together: solutions while all is closed, the force under which they begin to come apart, and solutions with openings.
+use super::Model;
+use crate::contact::{self, Asked, ContactError, NoSolution};
+use crate::errors::Error;
+use crate::options::Options;
+use crate::scene::{Force, Top};
+use crate::solution::{ClosedInterface, Interface, Separation, Solution};
+use crate::weights::Weights;
+
+/// Forces grow by about this factor from step to step where openings are found by way of smaller forces, to a few digits.
+const STEP: f64 = 1.5;
+const ROUGH: f64 = 1e-3;
+
+impl Model {
+    /// A solution with the interfaces that weights keep closed.
+    pub(super) fn with_closed(&self, top: &Top, options: &Options, solution: Solution) -> Result<Solution, Error> {
+        let Some((_, weights)) = &self.closed else { return Ok(solution) };
+        let (closed, tensile) = weights.under(&solution);
+        let Some((number, _)) = tensile.first() else { return Ok(Solution { closed, ..solution }) };
+        if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
+            return self.opened((top, weights), options.tolerance, &solution, &tensile);
+        }
+        let ClosedInterface { interface, smallest_at: x, .. } = closed[number - 1];
+        let critical_force = self.separation_of(top, &solution).map_or(f64::NAN, |own| own.critical_force);
+        Err(NoSolution::LiftsOff { interface, x, critical_force }.into())
+    }
+
+    /// The solution with openings, from the solution while all is closed, and from where layers would pull; where that leads nowhere, by way of smaller forces.
+    fn opened(
+        &self,
+        (top, weights): (&Top, &Weights),
+        tolerance: f64,
+        closed: &Solution,
+        tensile: &[(usize, [f64; 2])],
+    ) -> Result<Solution, Error> {
+        let interfaces = self.stack.contacts();
+        let open = |top: &Top, closed: &Solution, tolerance: f64, openings: &[(usize, [f64; 2])]| {
+            let asked = Asked { tolerance, ..self.asked(top, &Options::default()) };
+            contact::open(&Self::with_weights(&asked, weights, &interfaces), closed, openings)
+        };
+        let error = match open(top, closed, tolerance, tensile) {
+            Err(ContactError::NoSolution(error)) => error,
+            other => return Ok(other?),
+        };
+        let separation = self.separation_of(top, closed).ok_or_else(|| error.clone())?;
+        let last = closed.force() / separation.critical_force;
+        let steps = (last.ln() / STEP.ln()).ceil().max(2.0) as i32;
+        let mut openings = None;
+        for step in 1..steps {
+            let factor = (last.ln() * (f64::from(step) / f64::from(steps) - 1.0)).exp();
+            let (top, closed) = self.scaled(top, closed, factor).ok_or_else(|| error.clone())?;
+            let start = openings.unwrap_or_else(|| weights.under(&closed).1);
+            let found = open(&top, &closed, ROUGH, &start).map_err(|_| error.clone())?;
+            let of = |(number, own): (usize, &ClosedInterface)| {
+                let all = own.openings.iter().map(move |one| (number + 1, [one.left, one.right]));
+                all.collect::<Vec<_>>()
+            };
+            openings = Some(found.closed().iter().enumerate().flat_map(of).collect());
+        }
+        Ok(open(top, closed, tolerance, &openings.unwrap_or_default())?)
+    }
+
+    /// The same top with all forces of a solution scaled by a factor, and the solution while all is closed.
+    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Option<(Top, Solution)> {
+        let forces = solution.punches().iter().map(|carried| factor * carried.force);
+        let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
+        let top = scaled.unwrap_or_else(|| top.clone());
+        let force = Force::Given(factor * solution.force());
+        let found = contact::press(&self.asked(&top, &Options::default()), force).ok()?;
+        Some((top, found))
+    }
+
+    /// When layers that weights press together begin to come apart, if all forces on the top are scaled together; `None` if nothing presses layers together, or if no force
+    /// that the punch can carry parts them.
+    ///
+    /// ```
+    /// use recede::{Model, Scene};
+    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, load: Line, force: 20.0, stack: [
+    ///     Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0), Receding, Rigid])")?;
+    /// let model = Model::new(scene.stack()?)?;
+    /// let separation = model.separation(&scene.top, &model.press(&scene.top, scene.force)?)?.unwrap();
+    /// assert!((separation.critical_force - 44.139105985).abs() < 1e-8 && (separation.x - 1.770537706).abs() < 1e-8);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Field`] if the solution is one of another stack.
+    pub fn separation(&self, top: impl Into<Top>, solution: &Solution) -> Result<Option<Separation>, Error> {
+        self.check_owns(solution)?;
+        Ok(self.separation_of(&top.into(), solution))
+    }
+
+    fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
+        let (_, weights) = self.closed.as_ref()?;
+        weights.separation(solution, |factor| Some(self.scaled(top, solution, factor)?.1))
+    }
+
+    /// The same question where interfaces are closed but for openings.
+    pub(super) fn with_weights<'a>(asked: &Asked<'a>, weights: &'a Weights, interfaces: &'a [Interface]) -> Asked<'a> {
+        Asked { kernel: &weights.kernel, interfaces, weights: &weights.interfaces, gaps: &[], ..*asked }
+    }
+}
