@@ -24,7 +24,7 @@ const SCALINGS: usize = 30;
 const COARSEST: f64 = 1e-9;
 /// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
 const NEGLIGIBLE: f64 = 1e-14;
-const MOST_PHASE: f64 = 3e5;
+const MOST_PHASE: f64 = 3e4;
 /// Places in all that presses at most.
 const MOST_PLACES: f64 = 2000.0;
 /// Digits of the sums.
@@ -61,19 +61,24 @@ impl Weights {
         Ok(Some(Self { kernel: Kernel::of_openings(&stack.pressed())?, interfaces, above }))
     }
 
-    /// The interfaces under what presses on the contact above them, all closed, and by their numbers, from 1, where layers would pull.
+    /// The interfaces under what presses on the contact above them, all closed, and where layers would pull most for their weight, with the number of that interface, from 1.
     pub(crate) fn under(&self, solution: &Solution) -> (Vec<ClosedInterface>, Vec<(usize, [f64; 2])>) {
         let middle = solution.about().unwrap_or(0.0);
         let contact = &solution.contacts()[self.above];
         let error = self.above_error(solution);
         let pressure = ContactPressure::new(contact, solution.about().is_some(), middle);
         let ends = contact.ends().map(|end| end - middle);
-        let mut tensile = Vec::new();
+        let mut tensile: Vec<(usize, [f64; 2])> = Vec::new();
+        let mut deepest = 0.0;
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
             let waves = self.waves(i + 1, &pressure, ends);
             let [central, _] = waves.at(-middle);
             let (x, least, pulls) = self.least(&waves, *weight, ends, solution.about().is_some());
-            tensile.extend(pulls.into_iter().map(|ends| (i + 1, ends.map(|end| end + middle))));
+            // where one interface opens, others need not
+            if !pulls.is_empty() && -least / weight > deepest {
+                deepest = -least / weight;
+                tensile = pulls.into_iter().map(|ends| (i + 1, ends.map(|end| end + middle))).collect();
+            }
             ClosedInterface {
                 interface: *interface,
                 weight: *weight,

@@ -71,8 +71,12 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
     answer.or_else(|error| of_low_accuracy(problem, &refused, error))
 }
 
-/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then.
-pub(crate) fn open(asked: &Asked, closed: &Solution, openings: &[(usize, [f64; 2])]) -> Result<Solution, ContactError> {
+/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then; no more than a share of the work for an answer is done.
+pub(crate) fn open(
+    asked: &Asked,
+    closed: &Solution,
+    (openings, share): (&[(usize, [f64; 2])], f64),
+) -> Result<Solution, ContactError> {
     let (top, own) = (asked.top_of(closed), asked.kernel_with_punch());
     let asked = &Asked { top: &top, ..*asked };
     let problem = asked.problem_of(&own, closed);
@@ -84,7 +88,7 @@ pub(crate) fn open(asked: &Asked, closed: &Solution, openings: &[(usize, [f64; 2
     let of_unit = |(contact, ends): &(usize, [f64; 2])| (*contact, ends.map(|x| x / own.length() - problem.origin));
     let openings: Vec<(usize, [f64; 2])> = openings.iter().map(of_unit).collect();
     let start = intervals::of_openings(&problem, &contacts, &openings);
-    let (mut refused, mut work) = (Refused::default(), Work::at_most(problem.operations));
+    let (mut refused, mut work) = (Refused::default(), Work::at_most(share * problem.operations));
     let answer = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
     let answer = answer.ok_or_else(|| refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()))?;
     Ok(answer.into_solution(&problem, closed.force(), Some(asked.stack)))

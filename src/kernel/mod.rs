@@ -77,11 +77,13 @@ struct Sample {
     /// Whether equal pressures bend a laminate, at this wavenumber or another one since [`Sample::new`]: its equal-pressure response is then
     /// no more accurate than the rounding error of its bending response.
     bent: Vec<bool>,
+    /// Of openings, the largest bending response of a laminate that equal pressures bend, over 1 + ζ²: the compliance on top has its rounding error.
+    cancelled: f64,
 }
 
 impl Sample {
     fn new(order: Components) -> Self {
-        Self { components: vec![0.0; order.count()], bent: vec![false; order.contacts - 1] }
+        Self { components: vec![0.0; order.count()], bent: vec![false; order.contacts - 1], cancelled: 0.0 }
     }
 }
 
@@ -110,7 +112,7 @@ impl Chains {
 
     /// All components at one wavenumber for the contacts that are `wanted`.
     fn sample(&self, zeta: f64, wanted: &[bool], sample: &mut Sample, stats: &mut Stats) -> Result<(), Unresolved> {
-        let Sample { components, bent } = sample;
+        let Sample { components, bent, cancelled } = sample;
         let wave = self.wave(zeta);
         let n = self.contacts();
         let failed = || Unresolved { wavenumber: wave.wavenumber };
@@ -143,6 +145,8 @@ impl Chains {
         }
         if self.kind == Kind::Openings {
             let bending: Vec<f64> = components[2 * n..3 * n - 1].iter().map(|coupling| -coupling).collect();
+            let noisy = bending.iter().zip(&*bent).filter(|(_, bent)| **bent).map(|(bending, _)| bending.abs());
+            *cancelled = noisy.fold(0.0, f64::max) / (1.0 + zeta * zeta);
             let closed = ClosedContacts::new(&components[n..2 * n], &bending);
             components.fill(0.0);
             openings::of_openings(self.order(), &closed, components);

@@ -7,7 +7,7 @@ use crate::numeric::{chebyshev, dot, quadrature};
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::components::Components;
+use super::components::{Components, Kind};
 use super::{Asymptote, Chains, Sample};
 
 /// Gauss points per panel.
@@ -30,8 +30,9 @@ pub(crate) struct Panel {
     pub(crate) to: f64,
     /// Component by component, `POINTS` values each, multiplied by the power of ζ that makes them smooth at ζ = 0.
     values: Vec<[f64; POINTS]>,
-    /// The laminates that equal pressures bend, see [`Sample`].
+    /// The laminates that equal pressures bend, and what that takes from the digits of the compliance on top, see [`Sample`].
     bent: Vec<bool>,
+    cancelled: f64,
     /// The couplings that do not vanish on this panel.
     pub(crate) coupled: Vec<bool>,
     /// Bounds on the equal-pressure response of each contact minus its short-wave limit, or, where the asymptote holds, minus
@@ -89,7 +90,7 @@ pub(super) fn resolve(
 /// Whether components of given sizes, with given values on a panel [from, to], are resolved; laminates may be `bent`.
 fn resolved(
     order: Components,
-    bent: &[bool],
+    (bent, on_top): (&[bool], f64),
     [from, to]: [f64; 2],
     size: impl Fn(usize) -> f64,
     values: impl Fn(usize) -> [f64; POINTS],
@@ -105,6 +106,7 @@ fn resolved(
     (0..order.squeezed()).all(|c| {
         let size = size(c);
         let scale = match c / n {
+            0 | 1 if order.kind == Kind::Openings && c % n == 0 => size.max(on_top),
             0 => size,
             1 => size.max(cancelled(c - n)),
             _ => order.pair(c - 2 * n).into_iter().fold(size, |most, i| most.max(coupled(i))),
@@ -117,17 +119,19 @@ impl Panel {
     fn new(chains: &Chains, from: f64, to: f64, wanted: &[bool], stats: &mut Stats) -> Result<Self, Unresolved> {
         let order = chains.order();
         let mut sample = Sample::new(order);
-        let mut values = vec![[0.0; POINTS]; sample.components.len()];
+        let (mut values, mut most_cancelled) = (vec![[0.0; POINTS]; sample.components.len()], 0.0);
         for (k, x) in quadrature::rule(POINTS).nodes.iter().enumerate() {
             let zeta = 0.5 * (from + to) + 0.5 * (to - from) * x;
             chains.sample(zeta, wanted, &mut sample, stats)?;
+            most_cancelled = sample.cancelled.max(most_cancelled);
             for (c, value) in sample.components.iter().enumerate() {
                 values[c][k] = value * power(zeta, order.power(c));
             }
         }
         let (coupled, remainders, couplings) = Default::default();
         let bent = sample.bent;
-        let mut panel = Self { from, to, values, bent, coupled, remainders, couplings, order };
+        let mut panel =
+            Self { from, to, values, bent, cancelled: most_cancelled, coupled, remainders, couplings, order };
         panel.coupled = (0..order.pairs())
             .map(|pair| {
                 // negligible next to bending by one pressure, and next to bending by equal pressures, ζ² times smaller
@@ -153,7 +157,13 @@ impl Panel {
             })
         };
         let bent: Vec<bool> = self.bent.iter().zip(&next.bent).map(|(one, other)| *one || *other).collect();
-        resolved(self.order, &bent, [self.from, next.to], |c| self.size(c).max(next.size(c)), both)
+        resolved(
+            self.order,
+            (&bent, self.cancelled.max(next.cancelled)),
+            [self.from, next.to],
+            |c| self.size(c).max(next.size(c)),
+            both,
+        )
     }
 
     /// Adds a constant flexibility to contact 0.
@@ -171,7 +181,7 @@ impl Panel {
     }
 
     fn is_resolved(&self) -> bool {
-        resolved(self.order, &self.bent, [self.from, self.to], |c| self.size(c), |c| self.values[c])
+        resolved(self.order, (&self.bent, self.cancelled), [self.from, self.to], |c| self.size(c), |c| self.values[c])
     }
 
     /// The Gauss points, and a component there.

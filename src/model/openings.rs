@@ -10,6 +10,9 @@ use crate::weights::Weights;
 /// Forces grow by about this factor from step to step where openings are found by way of smaller forces, to a few digits.
 const STEP: f64 = 1.5;
 const ROUGH: f64 = 1e-3;
+/// Of the work for one answer, what goes into the first and the last list of openings, and into each one on the way.
+const AT_ONCE: f64 = 0.25;
+const ON_THE_WAY: f64 = 0.03;
 
 impl Model {
     /// A solution with the interfaces that weights keep closed.
@@ -35,8 +38,9 @@ impl Model {
     ) -> Result<Solution, Error> {
         let interfaces = self.stack.contacts();
         let open = |top: &Top, closed: &Solution, tolerance: f64, openings: &[(usize, [f64; 2])]| {
+            let share = if tolerance == ROUGH { ON_THE_WAY } else { AT_ONCE };
             let asked = Asked { tolerance, ..self.asked(top, &Options::default()) };
-            contact::open(&Self::with_weights(&asked, weights, &interfaces), closed, openings)
+            contact::open(&Self::with_weights(&asked, weights, &interfaces), closed, (openings, share))
         };
         let error = match open(top, closed, tolerance, tensile) {
             Err(ContactError::NoSolution(error)) => error,

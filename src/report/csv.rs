@@ -11,6 +11,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         let numbers = contact.numbers().map(number).join(",");
         writeln!(out, "{name},{numbers},{:?}", contact.resultant)?;
     }
+    for own in report.solution.closed() {
+        writeln!(out, "{},{},", own.interface, own.as_contact().map(number).join(","))?;
+    }
     Ok(())
 }
 

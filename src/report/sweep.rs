@@ -4,7 +4,7 @@ use std::io;
 use super::csv::number;
 use super::extremes;
 use crate::scene::{Force, visible};
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{ClosedInterface, Contact, Interface, Solution};
 use crate::sweep::{Row, Sweep, SweepPoint};
 
 /// The columns of texts, which are the last ones.
@@ -175,9 +175,18 @@ fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
     for (interface, punch) in sweep.contacts() {
         let found = solution.and_then(|solution| solution.contacts().iter().find(|own| own.interface == interface));
         let found = found.map_or(Vec::new(), Contact::of_each_punch);
-        let numbers = found.get(punch.unwrap_or(0)).map_or([f64::NAN; Contact::COLUMNS.len()], Contact::numbers);
+        let closed = solution.and_then(|solution| solution.closed().iter().find(|own| own.interface == interface));
+        let missing = closed.map_or([f64::NAN; Contact::COLUMNS.len()], ClosedInterface::as_contact);
+        let numbers = found.get(punch.unwrap_or(0)).map_or(missing, Contact::numbers);
         let owner = punch.map_or(owner(&interface), |punch| format!("{}_{}", owner(&interface), punch + 1));
         cells.extend(Contact::COLUMNS.map(|quantity| format!("{owner}_{quantity}")).into_iter().zip(numbers));
+    }
+    let weighed = sweep.contacts().filter(|(own, _)| *own != Interface::Punch && sweep.has_weights());
+    for (interface, _) in weighed {
+        let found = solution.and_then(|solution| solution.closed().iter().find(|own| own.interface == interface));
+        let numbers = found.map_or([f64::NAN; ClosedInterface::COLUMNS.len()], ClosedInterface::numbers);
+        let names = ClosedInterface::COLUMNS.map(|quantity| format!("{}_{quantity}", owner(&interface)));
+        cells.extend(names.into_iter().zip(numbers));
     }
     // `punch.left` may be varied, and contacts have a left end
     let (varied, found) = cells.split_at_mut(sweep.axes().len());

@@ -1,7 +1,7 @@
 //! Interfaces that weights, or a pressure on top, keep closed but for openings.
 use serde::Serialize;
 
-use super::{Interface, Strip};
+use super::{Contact, Interface, Strip};
 
 /// An interface between layers that are pressed together far away. Lengths and stresses are in the units of the scene.
 ///
@@ -38,6 +38,41 @@ pub struct ClosedInterface {
 }
 
 impl ClosedInterface {
+    /// What tables list of the opening with the largest gap, by name; of what is even of the one on the right.
+    pub(crate) const COLUMNS: [&str; 7] = [
+        "openings",
+        "opening_left",
+        "opening_left_error",
+        "opening_right",
+        "opening_right_error",
+        "largest_gap",
+        "smallest_pressure",
+    ];
+
+    /// The numbers of these columns, NaN where there is none.
+    pub(crate) fn numbers(&self) -> [f64; Self::COLUMNS.len()] {
+        let widest = self.openings.iter().max_by(|a, b| a.largest_gap.total_cmp(&b.largest_gap));
+        let of = |number: fn(&Opening) -> f64| widest.map_or(f64::NAN, number);
+        [
+            self.openings.len() as f64,
+            of(|own| own.left),
+            of(|own| own.left_error),
+            of(|own| own.right),
+            of(|own| own.right_error),
+            of(|own| own.largest_gap),
+            self.smallest_pressure,
+        ]
+    }
+
+    /// The numbers of [`Contact::COLUMNS`], of which it has the pressure at x = 0.
+    pub(crate) fn as_contact(&self) -> [f64; Contact::COLUMNS.len()] {
+        Contact::COLUMNS.map(|column| match column {
+            "central_pressure" => self.central_pressure,
+            "central_pressure_error" => self.central_pressure_error,
+            _ => f64::NAN,
+        })
+    }
+
     /// How far the layers are apart at a place, in length; 0 where they lie on each other.
     pub fn gap(&self, x: f64) -> f64 {
         let here = self.slopes.iter().find(|strip| (x - strip.at).abs() < strip.extent);
