@@ -164,7 +164,7 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_round }
     }
 
-    /// Where waves are lowest, how low they are there, and from where to where they are larger tension than a weight is pressure.
+    /// Where waves are lowest, how low they are there, and from where to where about that they are larger tension than a weight is pressure, with the mirror image of what is even.
     fn least(&self, waves: &Waves, weight: f64, [left, right]: [f64; 2], is_even: bool) -> (f64, f64, Vec<[f64; 2]>) {
         let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).max((right - left) / MOST_PLACES);
         let farthest = self.farthest();
@@ -190,18 +190,16 @@ impl Weights {
         places.insert(number, x);
         values.insert(number, least);
         let pulls = |k: usize| values.get(k).is_some_and(|value| *value < -weight);
-        let mut all: Vec<[f64; 2]> = Vec::new();
-        for first in (0..places.len()).filter(|k| pulls(*k) && !(*k > 0 && pulls(k - 1))) {
-            let last = (first..places.len()).take_while(|k| pulls(*k)).last().unwrap_or(first);
-            let end = |from: usize, to: usize| waves.crosses(-weight, places[from], places[to.min(places.len() - 1)]);
-            let own = [end(first, first.saturating_sub(1)), end(last, last + 1)];
-            match is_even {
-                true if first == 0 => all.push([-own[1], own[1]]),
-                true => all.extend([[-own[1], -own[0]], own]),
-                false => all.push(own),
-            }
-        }
-        all.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let first = (0..=number).rev().take_while(|k| pulls(*k)).last().unwrap_or(number);
+        let last = (number..places.len()).take_while(|k| pulls(*k)).last().unwrap_or(number);
+        let end = |from: usize, to: usize| waves.crosses(-weight, places[from], places[to.min(places.len() - 1)]);
+        let own = [end(first, first.saturating_sub(1)), end(last, last + 1)];
+        // where layers pull elsewhere is seen once they are apart here
+        let all = match is_even {
+            true if first == 0 => vec![[-own[1], own[1]]],
+            true => vec![[-own[1], -own[0]], own],
+            false => vec![own],
+        };
         (x, least, all)
     }
 }

@@ -63,7 +63,8 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
         // waves as short as the layers at the faces feel
         let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(farthest.recip()));
         let mut places: Vec<f64> = places(intervals, reach, farthest, step);
-        places.retain(is_closed);
+        // what is even is looked at on the right
+        places.retain(|x| is_closed(x) && (*x >= 0.0 || !problem.has_even_answer()));
         let pressures = own.pressures(contact, weight, &places);
         let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
         if pressures[least] < -COARSE.max(error) * weight {
@@ -82,7 +83,7 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
 /// Places from far on the left to far on the right, dense next to openings.
 fn places(intervals: &[ContactInterval], reach: f64, farthest: f64, step: f64) -> Vec<f64> {
     let shortest = intervals.iter().map(|own| 4.0 * own.half / PLACES as f64).fold(step, f64::min);
-    let step = shortest.max(reach / (8 * PLACES) as f64);
+    let step = shortest.max(reach / (2 * PLACES) as f64);
     let mut places = vec![-reach - farthest];
     while let Some(last) = places.last().copied().filter(|last| *last < reach + farthest) {
         let beyond = (last.abs() - reach).max(0.0);

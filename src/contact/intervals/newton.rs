@@ -7,7 +7,7 @@ use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::kept::{Kept, operations};
 use crate::contact::intervals::left_out::left_out;
 use crate::contact::intervals::local::{Local, locals};
-use crate::contact::intervals::pressure::Pressure;
+use crate::contact::intervals::pressure::{FARTHEST, Pressure};
 use crate::contact::intervals::steps::{Look, looks, moved};
 use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
 use crate::contact::problem::Problem;
@@ -175,7 +175,9 @@ pub(super) fn converge(
                 return level.ok_or_else(stuck);
             }
         }
-        if !newton.progress.goes_on(newton.left) || work.steps.last() > Some(&MOST_STEPS) {
+        // openings may begin much shorter than they are, and grow as far as they may in each step
+        let grows = newton.left >= FARTHEST && support.0.iter().any(|interval| interval.opens);
+        if !(grows || newton.progress.goes_on(newton.left)) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
         let perturbed = |kept: &Kept, moved: &Intervals| {
