@@ -1,6 +1,7 @@
 //! Contacts in any list of intervals: bodies that touch about the middle and again farther out, are apart about the middle, or touch anywhere where
 //! nothing is even.
 mod assemble;
+mod changes;
 mod closed;
 mod columns;
 mod depth;

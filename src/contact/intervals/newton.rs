@@ -2,6 +2,7 @@
 use std::rc::Rc;
 
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
+use crate::contact::intervals::changes::changed;
 use crate::contact::intervals::derivatives::{Derivatives, Matrix, steps};
 use crate::contact::intervals::equations::{Equations, Solved, fewer};
 use crate::contact::intervals::kept::{Kept, operations};
@@ -9,16 +10,15 @@ use crate::contact::intervals::left_out::left_out;
 use crate::contact::intervals::local::{Local, locals};
 use crate::contact::intervals::pressure::{FARTHEST, Pressure};
 use crate::contact::intervals::steps::{Look, looks, moved};
-use crate::contact::intervals::support::{ContactInterval, End, Intervals, Parity};
+use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY, SLOW};
 use crate::contact::problem::iteration::{Progress, Work};
 use crate::numeric::{largest, longest};
 
-/// Steps at most.
+/// Steps at most, and how often a step is halved after which an opening would close.
 const MOST_STEPS: usize = 40;
-/// Intervals that both grow into a gap shorter than this part of the shorter one are one.
-pub(super) const TOGETHER: f64 = 0.03;
+const MOST_HALVINGS: usize = 6;
 
 /// Terms of a pressure on a half-plane under a punch that is not smooth, for each unknown term.
 const LOCAL: usize = 16;
@@ -156,9 +156,11 @@ pub(super) fn converge(
         let equations = Equations::new(problem, &layout, &support, counts);
         let costs = operations(&layout, &support, counts);
         let (solved, looks) = newton.solve(&equations, &support, costs, work).ok_or_else(stuck)?;
-        if let Some(changed) = changed(&support, &solved.pressures) {
-            return Err(Failure::Changed(changed));
+        if let Some(back) = newton.back(&support, &solved.pressures) {
+            (support, laid_out) = (back, Some((layout, about)));
+            continue;
         }
+        changed(&support, &solved.pressures).map_or(Ok(()), |list| Err(Failure::Changed(list)))?;
         newton.rate = match newton.taken {
             _ if !is_smooth => 1.0,
             Some(taken) => newton.left / taken,
@@ -175,9 +177,7 @@ pub(super) fn converge(
                 return level.ok_or_else(stuck);
             }
         }
-        // openings may begin much shorter than they are, and grow as far as they may in each step
-        let grows = newton.left >= FARTHEST && support.0.iter().any(|interval| interval.opens);
-        if !(grows || newton.progress.goes_on(newton.left)) || work.steps.last() > Some(&MOST_STEPS) {
+        if !newton.goes_on(&support) || work.steps.last() > Some(&MOST_STEPS) {
             return Err(Failure::Stuck(support));
         }
         let perturbed = |kept: &Kept, moved: &Intervals| {
@@ -216,6 +216,8 @@ struct Newton<'a> {
     /// How much a step leaves of what it takes, from the last two lists, or from the solution with fewer terms.
     rate: f64,
     progress: Progress,
+    /// How often a step was halved.
+    halvings: usize,
     /// The longest first step that is expected, in half-lengths.
     expected: f64,
     derivatives: Derivatives,
@@ -240,6 +242,7 @@ impl<'a> Newton<'a> {
             rate: before.map_or(1.0, |before| before.rate),
             expected: before.map_or(f64::INFINITY, Approximation::still_moves),
             progress: Progress::default(),
+            halvings: 0,
             derivatives: Derivatives::default(),
             before: before.and_then(|before| before.derivatives.clone()),
         }
@@ -295,6 +298,20 @@ impl<'a> Newton<'a> {
         // next to nothing of what ends and the pressure at the middle are depends on high terms, which change most
         self.left = self.farthest.max(MINOR * changed_by);
         looks
+    }
+
+    /// The list in the middle of the last step, if an opening closes after it: that may be there all the same.
+    fn back(&mut self, support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
+        let closes = self.halvings < MOST_HALVINGS && support.closing(pressures).contains(&true);
+        let (last, _) = self.last.as_ref().filter(|_| closes)?;
+        self.halvings += 1;
+        Some(support.halfway(last))
+    }
+
+    /// Counts a step; whether there may be another. Openings may begin much shorter than they are, and grow as far as they may in each step.
+    fn goes_on(&mut self, support: &Intervals) -> bool {
+        let grows = self.left >= FARTHEST && support.0.iter().any(|interval| interval.opens);
+        grows || self.progress.goes_on(self.left)
     }
 
     /// Whether steps leave rounding: hardly less than at the last list, and not for want of equations of its own there.
@@ -397,48 +414,4 @@ fn regular(equations: &Equations, support: &Intervals, solved: &Solved) -> Vec<P
     let unknowns = equations.unknowns(&solved.regular(support));
     let counts: Vec<usize> = solved.pressures.iter().map(|pressure| pressure.terms.len()).collect();
     equations.solved(&unknowns, &counts).pressures
-}
-
-/// The list without an interval that vanishes, or with two as one that meet; `None` if it does not change.
-fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Intervals> {
-    let all = &support.0;
-    let vanishes = |number: &usize| {
-        let own = &all[*number];
-        // each punch keeps an interval
-        let alike = support.of(own.contact).iter().filter(|other| other.punch == own.punch);
-        let force = pressures[*number].force(own);
-        if own.opens { force <= 0.0 } else { force < ROUNDING && alike.count() > 1 }
-    };
-    if let Some(number) = (0..all.len()).find(vanishes) {
-        let mut all = all.clone();
-        all.remove(number);
-        return Some(Intervals(all));
-    }
-    let grows = |end: End| {
-        let [left, right] = [0, 1].map(|place| pressures[end.interval].singular.get(place).copied());
-        let sign = all[end.interval].sign(end.side);
-        if end.side > 0.0 { right.or(left) } else { left }.is_some_and(|q| sign * q > 0.0)
-    };
-    let meets = |end: &End| {
-        let own = &all[end.interval];
-        if end.side > 0.0 {
-            let Some(next) = all.get(end.interval + 1) else { return false };
-            let is_short = next.from() - own.to() < TOGETHER * own.half.min(next.half);
-            let is_next = (own.contact, own.punch) == (next.contact, next.punch);
-            return is_next && is_short && grows(*end) && grows(End { interval: end.interval + 1, side: -1.0 });
-        }
-        // an interval meets its mirror image
-        let is_innermost = own.parity == Parity::Pair && support.of(own.contact)[0] == *own;
-        is_innermost && 2.0 * own.from() < TOGETHER * own.half && grows(*end)
-    };
-    let end = support.ends().into_iter().find(meets)?;
-    let mut merged = all.clone();
-    let own = &all[end.interval];
-    merged[end.interval] = if end.side > 0.0 {
-        let next = merged.remove(end.interval + 1);
-        own.between([own.from(), next.to()]).with_corners([own.corners[0], next.corners[1]])
-    } else {
-        own.between([0.0, own.to()]).with_corners([own.corners[1]; 2])
-    };
-    Some(Intervals(merged))
 }

@@ -1,8 +1,9 @@
 //! How the list of intervals changes until no pressure and no gap is negative.
 use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::intervals::changes::TOGETHER;
 use crate::contact::intervals::gaps::Fault;
-use crate::contact::intervals::newton::{Approximation, Failure, TOGETHER, converge};
+use crate::contact::intervals::newton::{Approximation, Failure, converge};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::intervals::tension::{Tension, tension};
 use crate::contact::intervals::{first_count, refine};
