@@ -38,6 +38,8 @@ impl Solution {
     fn approach_number(&self, py: Python<'_>, of: impl Fn(&Approach) -> Option<f64>) -> PyResult<Option<f64>> {
         match self.approaches(py) {
             [Ok(approach)] => Ok(of(approach)),
+            // not told where layers come apart
+            [Err(ApproachError::Field(FieldError::Openings))] => Ok(None),
             [Err(ApproachError::Field(error))] => Err(raised(py, error.clone())),
             _ => Ok(None),
         }
