@@ -16,8 +16,9 @@ use crate::system::Unresolved;
 /// Steps between places, over the mean wavelength, and farther away in parts of the distance.
 const STEP: f64 = 0.05;
 const FARTHER: f64 = 0.04;
-/// Halvings of what a place of least pressure lies in.
-const STEPS: usize = 52;
+/// Steps by false position to a place of least pressure at most, which take some ten, and halvings of where tension begins, which need not be known well.
+const STEPS: usize = 60;
+const HALVINGS: usize = 16;
 /// Forces are scaled at most so often until the first interface opens.
 const SCALINGS: usize = 30;
 /// Tension counts as none below this part of the weight.
@@ -144,7 +145,7 @@ impl Weights {
         let (mut zeta, mut weights) = (Vec::new(), Vec::new());
         let matters = |panel: &&Panel| panel.couplings[pair] > NEGLIGIBLE && panel.from * reach < MOST_PHASE;
         for panel in kernel.panels.iter().filter(matters) {
-            let needed = points(2.0 * reach * (panel.to - panel.from), DIGITS);
+            let needed = points(reach * (panel.to - panel.from), DIGITS);
             let parts = needed.div_ceil(LARGEST);
             let at = |k: usize| panel.from + (panel.to - panel.from) * k as f64 / parts as f64;
             for part in 0..parts {
@@ -175,13 +176,9 @@ impl Weights {
         }
         let mut values: Vec<f64> = places.iter().map(|x| waves.at(*x)[0]).collect();
         let lowest = (0..places.len()).min_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
-        let (mut from, mut to) = (places[lowest.saturating_sub(1)], places[(lowest + 1).min(places.len() - 1)]);
+        let (from, to) = (places[lowest.saturating_sub(1)], places[(lowest + 1).min(places.len() - 1)]);
         // the slope changes its sign between
-        for _ in 0..STEPS {
-            let x = 0.5 * (from + to);
-            if waves.at(x)[1] < 0.0 { from = x } else { to = x }
-        }
-        let x = if lowest == 0 && is_even { 0.0 } else { 0.5 * (from + to) };
+        let x = if lowest == 0 && is_even { 0.0 } else { waves.flat(places[lowest], [from, to]) };
         let least = waves.at(x)[0];
         if least >= -(1.0 + COARSEST) * weight {
             return (x, least, Vec::new());
@@ -228,9 +225,32 @@ impl Waves {
         [value, slope]
     }
 
+    /// Where the slope vanishes between two places, before the second of which the value rises: by false position, in which an end that stays counts for half of its slope.
+    fn flat(&self, first: f64, [mut from, mut to]: [f64; 2]) -> f64 {
+        let [mut falls, mut rises] = [from, to].map(|x| self.at(x)[1]);
+        let (mut x, mut last) = (first, 0.0);
+        for _ in 0..STEPS {
+            let slope = self.at(x)[1];
+            let side = if slope < 0.0 { -1.0 } else { 1.0 };
+            let stays = if side == last { 0.5 } else { 1.0 };
+            if side < 0.0 {
+                (from, falls, rises) = (x, slope, stays * rises);
+            } else {
+                (to, rises, falls) = (x, slope, stays * falls);
+            }
+            let next = from - falls * (to - from) / (rises - falls);
+            let is_inside = from < next && next < to;
+            if !is_inside || (next - x).abs() <= f64::EPSILON * x.abs() {
+                return if is_inside { next } else { x };
+            }
+            (x, last) = (next, side);
+        }
+        x
+    }
+
     /// Where the value rises beyond another one between two places.
     fn crosses(&self, value: f64, mut below: f64, mut above: f64) -> f64 {
-        for _ in 0..STEPS {
+        for _ in 0..HALVINGS {
             let middle = 0.5 * (below + above);
             if self.at(middle)[0] < value { below = middle } else { above = middle }
         }
