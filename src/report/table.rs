@@ -147,13 +147,11 @@ fn closed(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn
             let [gap, at] = [largest_gap, largest_gap_at].map(|number| to_digits(*number, 6) + length);
             writeln!(out, "{}: open from {} = {from} to {to}, largest gap {gap} at {at}", own.interface, words.along)?;
         }
-        let least = [own.smallest_pressure, own.smallest_at].map(|number| to_digits(number, 6));
-        let closed = if own.openings.is_empty() { "closed everywhere" } else { "closed elsewhere" };
-        writeln!(
-            out,
-            "{}: {closed}, smallest pressure {}{stress} at {along} = {}{length}",
-            own.interface, least[0], least[1]
-        )?;
+        if own.openings.is_empty() {
+            let [least, at] = [own.smallest_pressure, own.smallest_at].map(|number| to_digits(number, 6));
+            let name = own.interface;
+            writeln!(out, "{name}: closed everywhere, smallest pressure {least}{stress} at {along} = {at}{length}")?;
+        }
     }
     if let Some(Separation { critical_force, critical_force_error, interface, x }) = &report.separation {
         let force = digits.with_error(*critical_force, *critical_force_error) + line_load;

@@ -26,7 +26,7 @@ pub struct ClosedInterface {
     pub central_pressure: f64,
     /// The solver's estimate of the absolute error of `central_pressure`.
     pub central_pressure_error: f64,
-    /// The smallest pressure outside openings.
+    /// The smallest pressure outside openings: 0 if there are any, since it vanishes where they end.
     pub smallest_pressure: f64,
     /// Where it is; of what is even on the right.
     pub smallest_at: f64,

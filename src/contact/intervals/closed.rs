@@ -128,6 +128,9 @@ pub(super) fn found(
         if problem.has_even_answer() {
             even(&mut openings);
         }
+        // it is zero where an opening ends
+        let end = openings.last().map(|last| (0.0, last.right));
+        let (smallest_pressure, smallest_at) = end.unwrap_or((*smallest_pressure, *smallest_at));
         let is_open = openings.iter().any(|own| own.left <= x && x <= own.right);
         let central = if is_open { 0.0 } else { own.pressures(contact, weight, &[x])[0] };
         Some(ClosedInterface {
@@ -135,8 +138,8 @@ pub(super) fn found(
             weight,
             central_pressure: central,
             central_pressure_error: if is_open { 0.0 } else { errors.worst() * (central - weight).abs() },
-            smallest_pressure: *smallest_pressure,
-            smallest_at: if problem.has_even_answer() { smallest_at.abs() } else { *smallest_at },
+            smallest_pressure,
+            smallest_at: if problem.has_even_answer() { smallest_at.abs() } else { smallest_at },
             openings,
             slopes,
         })
