@@ -41,7 +41,7 @@ pub struct Model {
     interfaces: Vec<Interface>,
     gaps: Gaps,
     kernel: Kernel,
-    /// The stack with closed interfaces in place of those that weights press together, which is what is solved for, and what presses on these; `None` if nothing does.
+    /// The stack that is solved for, in which interfaces that weights press together are closed, and the weights on these interfaces; `None` if nothing presses layers together.
     closed: Option<(Stack, Weights)>,
     curves: Option<Arc<Curves>>,
 }

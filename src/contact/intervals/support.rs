@@ -1,4 +1,4 @@
-//! Where bodies touch, or of those that lie on each other where they are apart, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
+//! Where bodies touch, or, at interfaces that are closed elsewhere, where they are apart, in the order of contacts and from left to right; where all is even, intervals of x ≥ 0, each with its mirror image.
 use std::f64::consts::PI;
 
 use crate::contact::problem::modes::alternating;
