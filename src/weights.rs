@@ -62,23 +62,23 @@ impl Weights {
         Ok(Some(Self { kernel: Kernel::of_openings(&stack.pressed())?, interfaces, above }))
     }
 
-    /// The interfaces under what presses on the contact above them, all closed, and where layers would pull most for their weight, with the number of that interface, from 1.
-    pub(crate) fn under(&self, solution: &Solution) -> (Vec<ClosedInterface>, Vec<(usize, [f64; 2])>) {
+    /// The interfaces under what presses on the contact above them, all closed, and where layers would pull most for their weight, of what is even on the right, with the number of that interface, from 1.
+    pub(crate) fn under(&self, solution: &Solution) -> (Vec<ClosedInterface>, Option<(usize, [f64; 2])>) {
         let middle = solution.about().unwrap_or(0.0);
         let contact = &solution.contacts()[self.above];
         let error = self.above_error(solution);
         let pressure = ContactPressure::new(contact, solution.about().is_some(), middle);
         let ends = contact.ends().map(|end| end - middle);
-        let mut tensile: Vec<(usize, [f64; 2])> = Vec::new();
+        let mut tensile = None;
         let mut deepest = 0.0;
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
             let waves = self.waves(i + 1, &pressure, ends);
             let [central, _] = waves.at(-middle);
-            let (x, least, pulls) = self.least(&waves, *weight, ends, solution.about().is_some());
+            let (x, least, tension) = self.least(&waves, *weight, ends, solution.about().is_some());
             // where one interface opens, others need not
-            if !pulls.is_empty() && -least / weight > deepest {
+            if let Some(ends) = tension.filter(|_| -least / weight > deepest) {
                 deepest = -least / weight;
-                tensile = pulls.into_iter().map(|ends| (i + 1, ends.map(|end| end + middle))).collect();
+                tensile = Some((i + 1, ends.map(|end| end + middle)));
             }
             ClosedInterface {
                 interface: *interface,
@@ -165,8 +165,14 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_round }
     }
 
-    /// Where waves are lowest, how low they are there, and from where to where about that they are larger tension than a weight is pressure, with the mirror image of what is even.
-    fn least(&self, waves: &Waves, weight: f64, [left, right]: [f64; 2], is_even: bool) -> (f64, f64, Vec<[f64; 2]>) {
+    /// Where waves are lowest, how low they are there, and from where to where about that they are larger tension than a weight is pressure.
+    fn least(
+        &self,
+        waves: &Waves,
+        weight: f64,
+        [left, right]: [f64; 2],
+        is_even: bool,
+    ) -> (f64, f64, Option<[f64; 2]>) {
         let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).max((right - left) / MOST_PLACES);
         let farthest = self.farthest();
         let mut places = vec![if is_even { 0.0 } else { left - farthest }];
@@ -181,7 +187,7 @@ impl Weights {
         let x = if lowest == 0 && is_even { 0.0 } else { waves.flat(places[lowest], [from, to]) };
         let least = waves.at(x)[0];
         if least >= -(1.0 + COARSEST) * weight {
-            return (x, least, Vec::new());
+            return (x, least, None);
         }
         let number = places.partition_point(|place| *place < x);
         places.insert(number, x);
@@ -190,14 +196,8 @@ impl Weights {
         let first = (0..=number).rev().take_while(|k| pulls(*k)).last().unwrap_or(number);
         let last = (number..places.len()).take_while(|k| pulls(*k)).last().unwrap_or(number);
         let end = |from: usize, to: usize| waves.crosses(-weight, places[from], places[to.min(places.len() - 1)]);
-        let own = [end(first, first.saturating_sub(1)), end(last, last + 1)];
         // where layers pull elsewhere is seen once they are apart here
-        let all = match is_even {
-            true if first == 0 => vec![[-own[1], own[1]]],
-            true => vec![[-own[1], -own[0]], own],
-            false => vec![own],
-        };
-        (x, least, all)
+        (x, least, Some([end(first, first.saturating_sub(1)), end(last, last + 1)]))
     }
 }
 

@@ -38,7 +38,7 @@ impl Answer {
         let mut found = self.contacts.into_iter();
         let contact = |(side, interface): (&Side, &Interface)| match side.given() {
             Some(given) => {
-                let about = problem.has_even_answer().then(|| problem.top.middle());
+                let about = problem.is_even().then(|| problem.top.middle());
                 Some(load::contact(&given.loads, *interface, force, problem.twin(), about))
             }
             None => found.next().map(|found| found.scaled(length, unit).moved(problem.top.middle())),
@@ -49,7 +49,6 @@ impl Answer {
         let is_told = problem.origin != 0.0;
         let even: Vec<Carried> = is_told.then_some(Carried { force, tilt: 0.0, moment: 0.0 }).into_iter().collect();
         let punches = match problem.sides.first() {
-            Some(Side::Punches(_)) if problem.has_even_answer() => even,
             Some(Side::Punches(all)) => {
                 let on = contacts[0].of_each_punch();
                 let of = |((punch, contact), rotation): ((&Placed, &Contact), &f64)| {

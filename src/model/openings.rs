@@ -19,9 +19,9 @@ impl Model {
     pub(super) fn with_closed(&self, top: &Top, options: &Options, solution: Solution) -> Result<Solution, Error> {
         let Some((_, weights)) = &self.closed else { return Ok(solution) };
         let (closed, tensile) = weights.under(&solution);
-        let Some((number, _)) = tensile.first() else { return Ok(Solution { closed, ..solution }) };
+        let Some((number, _)) = tensile else { return Ok(Solution { closed, ..solution }) };
         if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
-            return self.opened((top, weights), options.tolerance, &solution, &tensile);
+            return self.opened((top, weights), options.tolerance, &solution, tensile.as_slice());
         }
         let ClosedInterface { interface, smallest_at: x, .. } = closed[number - 1];
         let critical_force = self.separation_of(top, &solution).map_or(f64::NAN, |own| own.critical_force);
@@ -53,7 +53,7 @@ impl Model {
         for step in 1..steps {
             let factor = (last.ln() * (f64::from(step) / f64::from(steps) - 1.0)).exp();
             let (top, closed) = self.scaled(top, closed, factor).ok_or_else(|| error.clone())?;
-            let start = openings.unwrap_or_else(|| weights.under(&closed).1);
+            let start: Vec<_> = openings.unwrap_or_else(|| weights.under(&closed).1.into_iter().collect());
             let found = open(&top, &closed, ROUGH, &start).map_err(|_| error.clone())?;
             let of = |(number, own): (usize, &ClosedInterface)| {
                 let all = own.openings.iter().map(move |one| (number + 1, [one.left, one.right]));

@@ -30,7 +30,9 @@ pub(crate) fn of_openings(
         true => Vec::new(),
         false => of_contacts(problem, contacts)?.0,
     };
-    all.extend(openings.iter().map(|(contact, ends)| ContactInterval::opening(*contact, *ends)));
+    // what is even is solved for on x ≥ 0
+    let right = openings.iter().filter(|(_, ends)| !problem.is_even() || ends[1] > 0.0);
+    all.extend(right.map(|(contact, ends)| ContactInterval::opening(problem, *contact, *ends)));
     Some(Intervals(all))
 }
 
@@ -64,7 +66,7 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
         let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(farthest.recip()));
         let mut places: Vec<f64> = places(intervals, reach, farthest, step);
         // what is even is looked at on the right
-        places.retain(|x| is_closed(x) && (*x >= 0.0 || !problem.has_even_answer()));
+        places.retain(|x| is_closed(x) && (*x >= 0.0 || !problem.is_even()));
         let pressures = own.pressures(contact, weight, &places);
         let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
         if pressures[least] < -COARSE.max(error) * weight {
@@ -110,24 +112,15 @@ pub(super) fn found(
     let of = |(contact, (smallest_pressure, smallest_at)): (usize, &(f64, f64))| {
         let Side::Openings(weight) = problem.sides[contact] else { return None };
         let numbers = || (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
-        let slopes = numbers().map(|number| level.regular[number].strip(&level.support.0[number])).collect();
-        let openings = numbers().map(|number| {
-            let (interval, pressure) = (&level.support.0[number], &level.regular[number]);
-            let [left_error, right_error] = errors.ends[number].map(|error| error * interval.half);
-            let phi = widest(pressure, interval);
-            Opening {
-                left: interval.from(),
-                right: interval.to(),
-                left_error,
-                right_error,
-                largest_gap: interval.half * pressure.gap(interval, phi),
-                largest_gap_at: interval.place(phi),
-            }
-        });
-        let (mut openings, x): (Vec<Opening>, f64) = (openings.collect(), -problem.origin);
-        if problem.has_even_answer() {
-            even(&mut openings);
-        }
+        let right: Vec<(Opening, Strip)> = numbers()
+            .map(|number| opening(&level.support.0[number], &level.regular[number], errors.ends[number]))
+            .collect();
+        let left = right.iter().rev().filter(|_| problem.is_even()).filter(|(own, _)| own.left > 0.0);
+        let (openings, slopes): (Vec<Opening>, Vec<Strip>) = left
+            .map(|(own, slope)| (own.mirrored(), slope.mirrored(0.0).scaled(1.0, -1.0)))
+            .chain(right.clone())
+            .unzip();
+        let x = -problem.origin;
         // it is zero where an opening ends
         let end = openings.last().map(|last| (0.0, last.right));
         let (smallest_pressure, smallest_at) = end.unwrap_or((*smallest_pressure, *smallest_at));
@@ -139,7 +132,7 @@ pub(super) fn found(
             central_pressure: central,
             central_pressure_error: if is_open { 0.0 } else { errors.worst() * (central - weight).abs() },
             smallest_pressure,
-            smallest_at: if problem.has_even_answer() { smallest_at.abs() } else { smallest_at },
+            smallest_at,
             openings,
             slopes,
         })
@@ -147,17 +140,19 @@ pub(super) fn found(
     opened.into_iter().zip(least).map(of).collect()
 }
 
-/// Makes openings their own mirror images, which they are but for rounding.
-fn even(openings: &mut [Opening]) {
-    let images: Vec<Opening> = openings.iter().rev().copied().collect();
-    for (own, image) in openings.iter_mut().zip(images) {
-        own.left = 0.5 * (own.left - image.right);
-        own.right = 0.5 * (own.right - image.left);
-        own.largest_gap = 0.5 * (own.largest_gap + image.largest_gap);
-        own.largest_gap_at = 0.5 * (own.largest_gap_at - image.largest_gap_at);
-        own.left_error = own.left_error.max(image.right_error);
-        own.right_error = own.right_error.max(image.left_error);
-    }
+/// One opening with its slope, from the relative errors of its ends.
+fn opening(interval: &ContactInterval, pressure: &Pressure, errors: [f64; 2]) -> (Opening, Strip) {
+    let (slope, phi, sizes) = (pressure.strip(interval), widest(pressure, interval), interval.sizes());
+    let [left_error, right_error] = [0, 1].map(|k| errors[k] * sizes[k]);
+    let own = Opening {
+        left: interval.middle - interval.half,
+        right: interval.to(),
+        left_error: if interval.is_even() { right_error } else { left_error },
+        right_error,
+        largest_gap: interval.half * slope.integral_to(phi),
+        largest_gap_at: if phi == 0.5 * PI { interval.middle } else { interval.place(phi) },
+    };
+    (own, slope)
 }
 
 /// The angle at which the gap of an opening is largest: its slope changes its sign there.
@@ -166,6 +161,9 @@ fn widest(pressure: &Pressure, interval: &ContactInterval) -> f64 {
     let gaps = pressure.inside(interval, places);
     let largest = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
     let angle = |k: usize| PI * k as f64 / places as f64;
+    if interval.is_even() && largest + 1 == gaps.len() {
+        return 0.5 * PI;
+    }
     let (mut from, mut to) = (angle(largest), angle(largest + 2));
     let strip = pressure.strip(interval);
     for _ in 0..HALVINGS {
@@ -174,6 +172,20 @@ fn widest(pressure: &Pressure, interval: &ContactInterval) -> f64 {
         if strip.pressure(interval.place(middle)) > 0.0 { to = middle } else { from = middle }
     }
     0.5 * (from + to)
+}
+
+impl Opening {
+    /// Its mirror image about x = 0.
+    fn mirrored(&self) -> Self {
+        Self {
+            left: -self.right,
+            right: -self.left,
+            left_error: self.right_error,
+            right_error: self.left_error,
+            largest_gap_at: -self.largest_gap_at,
+            ..*self
+        }
+    }
 }
 
 impl ClosedInterface {

@@ -59,7 +59,8 @@ impl<'a> Columns<'a> {
         });
         let groups: Vec<Range<usize>> = groups.collect();
         let others = groups.iter().flat_map(|group| {
-            let beside = group.clone().filter(|number| !intervals[*number].is_even()).map(Other::Mean);
+            let is_tested = |number: &usize| intervals[*number].has_orders()[1];
+            let beside = group.clone().filter(is_tested).map(Other::Mean);
             beside.chain((group.start..group.end - 1).map(Other::Closing))
         });
         let others = others.collect();
@@ -111,6 +112,11 @@ impl Columns<'_> {
         self.moves
     }
 
+    /// Whether what presses is odd: then a column has an imaginary part alone.
+    pub(super) fn are_odd(&self) -> bool {
+        self.intervals.first().is_some_and(ContactInterval::is_odd)
+    }
+
     /// The place of a test that is no column, behind all columns.
     pub(super) fn place(&self, wanted: Other) -> Option<usize> {
         let place = self.others.iter().position(|other| *other == wanted);
@@ -131,6 +137,8 @@ impl Columns<'_> {
     /// as much of the test of the first interval is subtracted.
     pub(super) fn carried_by(&self, other: Other) -> Carried {
         match other {
+            // pressures have no resultant that is odd
+            Other::Mean(_) if self.are_odd() => [0.0; 2],
             Other::Mean(number) => {
                 let ContactInterval { middle, half, .. } = self.intervals[number];
                 [2.0 * middle / half, 0.5 * half + middle * middle / half]
@@ -259,7 +267,11 @@ fn carried(intervals: &[ContactInterval], counts: &[usize]) -> Vec<Carried> {
     };
     let terms = (0..intervals.len()).flat_map(|number| (0..counts[number]).map(move |m| (number, m)));
     let ends = intervals.iter().flat_map(|interval| {
-        let resultant = if interval.is_even() { 2.0 } else { 1.0 };
+        let resultant = match (interval.is_even(), interval.opens) {
+            (true, false) => 2.0,
+            (true, true) => 0.0,
+            _ => 1.0,
+        };
         interval.sides().iter().map(move |side| [resultant, moment(interval, 0.5 * side * interval.half)])
     });
     terms.map(term).chain(ends).collect()

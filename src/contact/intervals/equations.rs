@@ -236,7 +236,8 @@ impl<'a> Equations<'a> {
         if self.problem.is_known(contact) {
             return vec![Told { column: 0, known: 1.0, by_loads: vec![0.0; self.loads.len()] }];
         }
-        let groups = columns.groups.iter().enumerate();
+        let has_resultant = |group: &Range<usize>| columns.intervals[group.start].has_orders()[0];
+        let groups = columns.groups.iter().enumerate().filter(|(_, group)| has_resultant(group));
         let own =
             groups.filter_map(|(number, group)| Some((number, self.problem.group(contact, number)?, group.start)));
         own.flat_map(|(number, own, start)| self.told_of(contact, (number, &own), columns.first(start))).collect()
@@ -335,7 +336,7 @@ impl<'a> Equations<'a> {
         let long = |contact: usize| {
             let zeta = self.zeta(contact, nodes.clone());
             match self.problem.sides[contact].given().filter(|_| self.problem.kernel.has_openings()) {
-                Some(given) => Long::of_given(given.moment, zeta, workspace),
+                Some(given) => Long::of_given(given.moment, zeta, self.parts(), workspace),
                 None => self.columns[contact].long_waves(zeta, workspace),
             }
         };

@@ -37,7 +37,7 @@ use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::{Expected, Prescribed, Problem};
 use crate::numeric::largest;
-use crate::solution::{self, Contact, Interface, Stats, Strip, Warning, WarningCode};
+use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
 pub(super) use closed::of_openings;
 use errors::Errors;
 use gaps::Fault;
@@ -56,8 +56,6 @@ const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
 /// Signs are looked at before there are more terms on an interval.
 const MANY: usize = 64;
-/// Intervals whose middles are less than this from the middle of what is even, in half-lengths, are about it.
-const EVEN: f64 = 1e-6;
 /// A layout serves lists whose ends differ by this much, relative.
 const LAYOUT_SERVES: f64 = 0.1;
 
@@ -339,23 +337,6 @@ impl Approximation {
     }
 }
 
-/// A contact that is even but was not solved as one, from its right half.
-fn evened(interface: Interface, intervals: &[solution::Interval], strips: Vec<Strip>, error: f64) -> Contact {
-    let is_about_middle = |strip: &Strip| strip.at.abs() < EVEN * strip.extent;
-    let right = intervals.iter().filter(|own| own.right > 0.0).map(|own| match own.left < 0.0 {
-        true => solution::Interval::new([0.0; 2], [own.right, own.right_error]),
-        false => *own,
-    });
-    let strips = strips.into_iter().filter(|strip| strip.at > 0.0 || is_about_middle(strip));
-    let strips = strips.map(|strip| match is_about_middle(&strip) {
-        true => Strip { at: 0.0, tip_at: 0.0, skew: Vec::new(), ..strip },
-        false => strip,
-    });
-    let strips: Vec<Strip> = strips.collect();
-    let middle = strips.iter().map(|strip| strip.pressure(0.0)).sum();
-    Contact::even(interface, &right.collect::<Vec<_>>(), &strips, [middle, error])
-}
-
 /// What was found of each contact.
 fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Contact> {
     let pressures = level.middle_pressures(&level.solved.pressures);
@@ -395,9 +376,6 @@ fn found(problem: &Problem, level: &Approximation, errors: &Errors) -> Vec<Conta
                 _ => [pressures[first], peak_error],
             };
             return Contact::even(problem.interfaces[contact], &intervals, &strips, peak);
-        }
-        if problem.has_even_answer() {
-            return evened(problem.interfaces[contact], &intervals, strips, peak_error);
         }
         let force = |number: &usize| level.regular[*number].force(&level.support.0[*number]);
         let widest = numbers.clone().max_by(|a, b| force(a).total_cmp(&force(b)));

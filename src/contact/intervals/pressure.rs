@@ -50,31 +50,31 @@ impl Pressure {
         let terms = self.terms.iter().enumerate();
         let mut all: Vec<f64> = terms.map(|(m, y)| interval.unit() * y / interval.order(m) as f64).collect();
         let singular = match self.singular[..] {
-            [q] => [q, q],
+            [q] => [if interval.opens { -q } else { q }, q],
             [left, right] => [left, right],
             _ => [0.0; 2],
         };
         let corners = singular.map(|q| interval.unit() / interval.twin.norm * q);
         let (tip, tip_at) = (interval.unit() * self.tip.strength, self.tip.at);
-        if interval.is_even() {
+        if interval.is_even() && !interval.opens {
             let is_round = interval.twin == Twin::Round;
             // Jacobi polynomials are 1 in the middle
             all.iter_mut().enumerate().filter(|_| is_round).for_each(|(m, term)| *term *= alternating(m));
             return Strip { corners, tip, tip_at, is_round, ..Strip::series(interval.half, all) };
         }
-        let every_other = |first: usize| all.iter().skip(first).step_by(2).copied().collect();
-        let series = Strip::series(interval.half, every_other(0));
-        Strip { at: interval.middle, skew: every_other(1), corners, tip, tip_at, ..series }
+        let of_orders = |is_odd: bool| {
+            let orders = all.iter().enumerate().filter(|(m, _)| (interval.order(*m) % 2 == 1) == is_odd);
+            orders.map(|(_, y)| *y).collect()
+        };
+        let series = Strip::series(interval.half, of_orders(true));
+        Strip { at: interval.middle, skew: of_orders(false), corners, tip, tip_at, ..series }
     }
 
     /// The pressure, or the gap over the half-length, at angles πk/places, k = 1, 2, ..., from the right end inwards; of what is even, on the right half.
     pub(super) fn inside(&self, interval: &ContactInterval, places: usize) -> Vec<f64> {
-        if interval.opens {
-            let slope = self.strip(interval);
-            return (1..places).map(|k| slope.integral_to(PI * k as f64 / places as f64)).collect();
-        }
         let (strip, last) = (self.strip(interval), if interval.is_even() { places / 2 } else { places - 1 });
-        (1..=last).map(|k| strip.pressure(interval.place(PI * k as f64 / places as f64))).collect()
+        let at = |phi: f64| if interval.opens { strip.integral_to(phi) } else { strip.pressure(interval.place(phi)) };
+        (1..=last).map(|k| at(PI * k as f64 / places as f64)).collect()
     }
 
     /// How large the last third of its terms is, as a part of all.

@@ -6,12 +6,17 @@ use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::equations::{Equations, Sampled};
 use crate::contact::intervals::waves::{AT_ONCE, Long};
 
-/// Which part of a wave a part of its effect comes from, and with which sign: a pressure and the slope of a gap are a quarter of a wave apart.
-fn turned(is_aside: bool, part: usize) -> [f64; 2] {
-    if is_aside { [1.0 - part as f64, 1.0 - 2.0 * part as f64] } else { [part as f64, 1.0] }
-}
-
 impl Equations<'_> {
+    /// Which part of another contact's waves a part of the effect on a contact comes from, and with which sign: a pressure and the slope of a gap are a quarter of a wave apart. Where
+    /// all is even a pressure has the real part alone, and a slope the imaginary one.
+    fn shifted(&self, contact: usize, other: usize, part: usize) -> (usize, f64) {
+        match (contact == 0) == (other == 0) {
+            true => (part, 1.0),
+            false if self.moves => (1 - part, 1.0 - 2.0 * part as f64),
+            false => (part, if contact == 0 { 1.0 } else { -1.0 }),
+        }
+    }
+
     /// Hands out, block by block of wavenumbers, the columns of each contact, and the slopes of waves that pressures with each of some sets of amplitudes make
     /// outside contacts, weights included, what half-planes do left out: both parts of exp(iζx), one after the other.
     pub(super) fn responses(
@@ -55,8 +60,8 @@ impl Equations<'_> {
                         *sum += weight / PI * (less[part * count + k] - fields[other][0][part * there + k]);
                     }),
                     true => {
-                        let [from, sign] = turned(contact == 0 || other == 0, part);
-                        let from = from as usize * there;
+                        let (from, sign) = self.shifted(contact, other, part);
+                        let from = from * there;
                         sums.for_each(|(k, (sum, weight))| *sum -= sign * weight / PI * fields[other][1][from + k]);
                     }
                 }
@@ -81,8 +86,8 @@ impl Equations<'_> {
         for column in 0..waves.count() {
             let told = long.places.iter().position(|place| *place == column).map(|told| long.values.column(told));
             for part in 0..parts {
-                let [from, sign] = turned(contact == 0 || other == 0, part);
-                let from = from as usize * count;
+                let (from, sign) = self.shifted(contact, other, part);
+                let from = from * count;
                 for (k, into) in met.column_mut(column)[part * count..(part + 1) * count].iter_mut().enumerate() {
                     let long = told.map_or(0.0, |told| told[from + k]);
                     *into = sign * (waves.column(column)[from + k] + long);

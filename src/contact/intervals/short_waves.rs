@@ -56,7 +56,7 @@ impl Columns<'_> {
             let mean = self.place(Other::Mean(number)).map(|row| (row, 0, 1.0));
             let (pressing, tested) = (self.pressing(number), 0..interval.wanted().below(orders));
             if let Some(amplitudes) = space.amplitudes {
-                // what columns of even orders, or of odd ones, do with the amplitudes: columns of an even interval are odd
+                // what columns of even orders, or of odd ones, do with the amplitudes
                 let made = |is_odd: bool| {
                     let mut pressed = vec![0.0; table.rows()];
                     for own in pressing.iter().filter(|own| own.is_odd == is_odd) {
@@ -65,7 +65,9 @@ impl Columns<'_> {
                     }
                     table.part(tested.clone()).test(&weights.weighted(&pressed))
                 };
-                let all = [if interval.is_even() { Vec::new() } else { made(false) }, made(true)];
+                let [odd, even] = interval.has_orders();
+                let all = [(even, false), (odd, true)]
+                    .map(|(is_there, is_odd)| if is_there { made(is_odd) } else { Vec::new() });
                 for (row, k, part) in tests.chain(mean) {
                     space.matrix[(row, 0)] += factor * part * all[k % 2][interval.among_wanted(k)];
                 }
@@ -104,8 +106,8 @@ impl Columns<'_> {
         let ends = (self.terms() + self.end(number)..).zip(interval.sides()).flat_map(|(column, side)| {
             let images = if interval.is_even() { 2.0 } else { 1.0 };
             let odd = Pressing { column, place: singular, is_odd: true, part: half * images };
-            let even = Pressing { column, place: singular + 1, is_odd: false, part: -half * side };
-            [odd, even]
+            let even = Pressing { column, place: singular + 1, is_odd: false, part: -half * images * side };
+            [odd, even].into_iter().zip(interval.has_orders()).filter(|(_, is_there)| *is_there).map(|(own, _)| own)
         });
         (0..self.counts[number]).map(term).chain(ends).collect()
     }

@@ -108,9 +108,9 @@ impl Columns<'_> {
             space.add(row + m, row + m, interval.on_half_plane(m));
         }
         if let Some(mean) = mean {
-            let end = self.terms() + self.end(number);
+            let (end, images) = (self.terms() + self.end(number), if interval.is_even() { 2.0 } else { 1.0 });
             for (place, side) in interval.sides().iter().enumerate() {
-                space.add(mean, end + place, -side * interval.unit() / interval.half);
+                space.add(mean, end + place, -side * images * interval.unit() / interval.half);
             }
         }
     }
@@ -205,7 +205,7 @@ impl Columns<'_> {
             }
             if interval.parity == Parity::Pair {
                 // the mirror image of the place, at the same depth
-                add(&x.map(|x| -x), -c);
+                add(&x.map(|x| -x), if interval.opens { c } else { -c });
             }
             end += interval.sides().len();
         }
@@ -236,9 +236,14 @@ impl ContactInterval {
         let roots = s.map(root);
         // s less √(s² − 1)
         let inside: [Complex64; LANES] = std::array::from_fn(|lane| (s[lane] + roots[lane]).inv());
-        let by = if self.is_even() { inside.map(|inside| inside * inside) } else { inside };
+        let square = || inside.map(|inside| inside * inside);
+        let (from, by) = match self.has_orders() {
+            [true, true] => (inside, inside),
+            [true, false] => (inside, square()),
+            [false, _] => (square(), square()),
+        };
         let [mut re, mut im, by_re, by_im]: [Lanes; 4] =
-            [inside.map(|z| z.re), inside.map(|z| z.im), by.map(|z| z.re), by.map(|z| z.im)];
+            [from.map(|z| z.re), from.map(|z| z.im), by.map(|z| z.re), by.map(|z| z.im)];
         for m in 0..count {
             let part = unit / self.order(m) as f64;
             each(m, &re.map(|re| part * re));
@@ -256,7 +261,11 @@ impl ContactInterval {
         }
         for (place, side) in self.sides().iter().enumerate() {
             let slope = |lane: usize| {
-                let at_end = if self.is_even() { Complex64::ONE } else { 0.5 * (1.0 + side * inside[lane]) };
+                let at_end = match self.has_orders() {
+                    [true, true] => 0.5 * (1.0 + side * inside[lane]),
+                    [true, false] => Complex64::ONE,
+                    [false, _] => inside[lane],
+                };
                 unit * (at_end / roots[lane]).re
             };
             each(count + place, &std::array::from_fn(slope));

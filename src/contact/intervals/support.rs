@@ -68,18 +68,22 @@ impl ContactInterval {
         }
     }
 
-    /// An opening from one place to another.
-    pub(super) fn opening(contact: usize, ends: [f64; 2]) -> Self {
-        Self { opens: true, ..Self::anywhere(contact, 0, ends) }
+    /// An opening from one place to another, on x ≥ 0 where all is even.
+    pub(super) fn opening(problem: &Problem, contact: usize, [from, to]: [f64; 2]) -> Self {
+        let interval = match problem.is_even() {
+            true => Self::even(problem.twin(), contact, [from.max(0.0), to]),
+            false => Self::anywhere(contact, 0, [from, to]),
+        };
+        Self { opens: true, ..interval }
     }
 
     /// An interval of the same contact and punch between other places, without corners.
     pub(super) fn between(&self, ends: [f64; 2]) -> Self {
-        let is_even = self.parity != Parity::None;
-        match is_even {
-            true => Self::even(self.twin, self.contact, ends),
-            false => Self { opens: self.opens, ..Self::anywhere(self.contact, self.punch, ends) },
-        }
+        let interval = match self.parity {
+            Parity::None => Self::anywhere(self.contact, self.punch, ends),
+            Parity::Even | Parity::Pair => Self::even(self.twin, self.contact, ends),
+        };
+        Self { opens: self.opens, ..interval }
     }
 
     /// The same interval with ends at corners, or not.
@@ -95,6 +99,16 @@ impl ContactInterval {
     /// Whether it is its own mirror image.
     pub(super) fn is_even(&self) -> bool {
         self.parity == Parity::Even
+    }
+
+    /// Whether what presses there is odd, where all is even: the slope of a gap is.
+    pub(super) fn is_odd(&self) -> bool {
+        self.opens && self.parity != Parity::None
+    }
+
+    /// Whether its pressure has terms of odd orders, and of even ones, which are odd about its middle.
+    pub(super) fn has_orders(&self) -> [bool; 2] {
+        [!(self.is_even() && self.opens), !self.is_even() || self.opens]
     }
 
     /// The sign of what presses next to an end, with which this is positive: the gap of an opening falls at its right end.
@@ -133,17 +147,21 @@ impl ContactInterval {
 
     /// The order j of the term sin jφ of number m of its pressure, x = middle + half cos φ.
     pub(super) fn order(&self, m: usize) -> usize {
-        if self.is_even() { 2 * m + 1 } else { m + 1 }
+        match self.has_orders() {
+            [true, true] => m + 1,
+            [true, false] => 2 * m + 1,
+            [false, _] => 2 * m + 2,
+        }
     }
 
     /// The Bessel functions that its terms need.
     pub(super) fn wanted(&self) -> Wanted {
-        if self.is_even() { Wanted::ZERO_AND_ODD.of_kind(self.twin.bessel) } else { Wanted::ALL }
+        if self.has_orders()[1] { Wanted::ALL } else { Wanted::ZERO_AND_ODD.of_kind(self.twin.bessel) }
     }
 
     /// The place of one order among these.
     pub(super) fn among_wanted(&self, order: usize) -> usize {
-        if self.is_even() { order.div_ceil(2) } else { order }
+        if self.has_orders()[1] { order } else { order.div_ceil(2) }
     }
 
     /// The amplitude of sin φ on the interval and its mirror image that has the resultant 1.

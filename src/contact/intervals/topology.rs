@@ -170,18 +170,10 @@ fn with_interval(
 ) -> Intervals {
     let mut all = support.0.clone();
     let ends = over.map(|end| 0.5 * (at + end));
-    if problem.is_opened(contact) {
-        let [from, to] = ends;
-        let mut openings = vec![ContactInterval::opening(contact, ends)];
-        // what is even opens on both sides
-        if problem.has_even_answer() && from * to > 0.0 {
-            openings.push(ContactInterval::opening(contact, [-to, -from]));
-        }
-        all.extend(openings);
-        all.sort_by(|a, b| a.contact.cmp(&b.contact).then(a.middle.total_cmp(&b.middle)));
-        return Intervals(all);
-    }
-    let interval = ContactInterval { contact, punch, ..all[0] }.between(ends);
+    let interval = match problem.is_opened(contact) {
+        true => ContactInterval::opening(problem, contact, ends),
+        false => ContactInterval { contact, punch, ..all[0] }.between(ends),
+    };
     let place = all.partition_point(|other| (other.contact, other.middle) < (contact, interval.middle));
     all.insert(place, interval);
     Intervals(all)

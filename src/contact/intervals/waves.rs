@@ -75,6 +75,15 @@ impl Columns<'_> {
             let j2 = 0.5 * arguments[k] * (j1[k] + j3[k]) / (2.0 + twin.shift);
             let (zeroth, cos) = (jinc - j2, minus_one[k]);
             let mut put = |column: usize, row: usize, value: f64| all.column_mut(column)[row] = value;
+            if interval.is_odd() {
+                // gaps that close have no resultants that matter to long waves
+                let images = if interval.is_even() { 2.0 } else { 1.0 };
+                for (place, side) in (end..).zip(interval.sides()) {
+                    put(place, k, wave * (sin * (1.0 + zeroth) + images * side * j1[k] * cosines[k]));
+                }
+                mean.into_iter().for_each(|mean| put(mean, k, -2.0 / half * (1.0 + zeroth) * cosines[k]));
+                continue;
+            }
             put(first, k, wave * less_one(jinc, cos));
             for (place, side) in (end..).zip(interval.sides()) {
                 let value = if interval.is_even() { 2.0 * zeroth } else { less_one(zeroth, cos) - side * j1[k] * sin };
@@ -113,18 +122,20 @@ impl Columns<'_> {
             let order = interval.order(m);
             let values = table.column(interval.among_wanted(order));
             let factor = interval.transform(m);
-            let (real, imaginary) = all.column_mut(self.first(number) + m).split_at_mut(table.rows());
+            let column = all.column_mut(self.first(number) + m);
             if interval.is_even() {
-                real.iter_mut().zip(values).for_each(|(into, j)| *into = factor * j);
+                let factor = if interval.opens { -factor } else { factor };
+                column.iter_mut().zip(values).for_each(|(into, j)| *into = factor * j);
                 continue;
             }
+            let parts = column.chunks_mut(table.rows().max(1));
             // cos ζm and sin ζm, or sin ζm and −cos ζm
-            let parts = match order.is_multiple_of(2) {
-                true => [(real, sines, factor), (imaginary, cosines, -factor)],
-                false => [(real, cosines, factor), (imaginary, sines, factor)],
+            let phases = match order.is_multiple_of(2) {
+                true => [(sines, factor), (cosines, -factor)],
+                false => [(cosines, factor), (sines, factor)],
             };
-            for (into, phases, factor) in parts {
-                let waves = values.iter().zip(phases);
+            for (into, (phases, factor)) in parts.zip(&phases[usize::from(interval.is_odd())..]) {
+                let waves = values.iter().zip(*phases);
                 into.iter_mut().zip(waves).for_each(|(into, (j, phase))| *into = factor * j * phase);
             }
         }
@@ -147,8 +158,11 @@ impl Columns<'_> {
         Long { places, values }
     }
 
-    /// The columns and tests that tell resultants, moments and rotations.
+    /// The columns and tests that tell resultants, moments and rotations: none where nothing is done to long waves.
     pub(super) fn told(&self) -> Vec<usize> {
+        if self.are_odd() {
+            return Vec::new();
+        }
         let first = self.groups.iter().map(|group| self.first(group.start));
         let first = first.flat_map(|first| first..=first + usize::from(self.moves()));
         let carried = self.terms() + self.ends();
@@ -256,9 +270,9 @@ impl Weighted {
 }
 
 impl Long {
-    /// Of a given pressure with a unit resultant and a moment.
-    pub(super) fn of_given(moment: f64, zeta: &[f64], workspace: &Arc<Workspace>) -> Self {
-        let mut values = Samples::new(2 * zeta.len(), 1, workspace);
+    /// Of a given pressure with a unit resultant, and a moment if there is another part.
+    pub(super) fn of_given(moment: f64, zeta: &[f64], parts: usize, workspace: &Arc<Workspace>) -> Self {
+        let mut values = Samples::new(parts * zeta.len(), 1, workspace);
         let (even, odd) = values.column_mut(0).split_at_mut(zeta.len());
         even.copy_from_slice(zeta);
         odd.iter_mut().zip(zeta).for_each(|(into, wave)| *into = moment * wave * wave);

@@ -127,9 +127,7 @@ impl<'a> Problem<'a> {
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
         let origin = top.middle() / length;
-        let is_even = !kernel.has_openings()
-            && top.is_even()
-            && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
+        let is_even = top.is_even() && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
             Top::Punches(punches) => match top.even_punch().filter(|_| is_even) {
@@ -259,11 +257,6 @@ impl<'a> Problem<'a> {
     /// Whether all contacts are even.
     pub(crate) fn is_even(&self) -> bool {
         self.is_even
-    }
-
-    /// Whether the answer is even: openings are solved for on both sides.
-    pub(crate) fn has_even_answer(&self) -> bool {
-        self.is_even || self.kernel.has_openings() && self.top.is_even()
     }
 
     /// The punch of this number on a contact where nothing is even.
