@@ -2,7 +2,7 @@
 //!
 //! While all is closed a unit pressure on top of long or short waves makes the pressure t_i on interface i, so that the pressure of a punch or a load adds to the weight w_i
 //! the sum of all waves of its own transform times t_i.
-use std::f64::consts::PI;
+use std::f64::consts::{PI, SQRT_2};
 
 use crate::field::ContactPressure;
 use crate::kernel::{Kernel, Panel};
@@ -13,9 +13,11 @@ use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::stack::Stack;
 use crate::system::Unresolved;
 
-/// Steps between places, over the mean wavelength, and farther away in parts of the distance.
-const STEP: f64 = 0.05;
-const FARTHER: f64 = 0.04;
+/// Steps between places at which pressures and their slopes are found, over the mean wavelength, and farther away in parts of the distance.
+const STEP: f64 = 0.125;
+const FARTHER: f64 = 0.1;
+/// Where places beside a least pressure have less than this part of the lowest one, another one is lower.
+const NEARLY: f64 = 0.5;
 /// Steps by false position to a place of least pressure at most, which take some ten, and halvings of where tension begins, which need not be known well.
 const STEPS: usize = 60;
 const HALVINGS: usize = 16;
@@ -95,10 +97,11 @@ impl Weights {
         (closed, tensile)
     }
 
-    /// When the first interface opens, from a solution, and from others under all forces scaled by a factor.
+    /// When the first interface opens, from a solution, and unless pressures are proportional to forces from others under all forces scaled by a factor.
     pub(crate) fn separation(
         &self,
         solution: &Solution,
+        is_linear: bool,
         scaled: impl Fn(f64) -> Option<Solution>,
     ) -> Option<Separation> {
         // the largest tension over the weight, which has to be 1
@@ -107,22 +110,25 @@ impl Weights {
             let tension = |own: &ClosedInterface| 1.0 - own.smallest_pressure / own.weight;
             all.map(|own| (tension(&own), own)).max_by(|(a, _), (b, _)| a.total_cmp(b))
         };
-        let (mut factor, mut found) = (1.0, opens(solution)?);
+        let (mut factor, mut power, (mut tension, mut own)) = (1.0, 1.0, opens(solution)?);
         for _ in 0..SCALINGS {
-            if found.0 <= 0.0 {
+            if tension <= 0.0 {
                 return None;
             }
-            if (found.0 - 1.0).abs() < ROUNDING {
+            if is_linear || (tension - 1.0).abs() < ROUNDING {
                 break;
             }
-            // tension grows nearly as the forces do
-            factor /= found.0;
-            found = opens(&scaled(factor)?)?;
+            // tension grows like a power of the forces, which the last two of them tell
+            let before = (factor, tension);
+            factor *= tension.powf(-1.0 / power);
+            (tension, own) = opens(&scaled(factor)?)?;
+            let grows = (tension / before.1).ln() / (factor / before.0).ln();
+            power = if grows > 0.0 { grows } else { 1.0 };
         }
-        let (tension, ClosedInterface { interface, smallest_at: x, .. }) = found;
-        let critical_force = factor * solution.force();
-        let known = self.above_error(solution) + (tension - 1.0).abs();
-        Some(Separation { critical_force, critical_force_error: known * critical_force, interface, x })
+        let missed = if is_linear { 0.0 } else { (tension - 1.0).abs() };
+        let critical_force = factor / tension * solution.force();
+        let critical_force_error = (self.above_error(solution) + missed) * critical_force;
+        Some(Separation { critical_force, critical_force_error, interface: own.interface, x: own.smallest_at })
     }
 
     /// The relative error of what presses on the contact above.
@@ -165,7 +171,7 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_round }
     }
 
-    /// Where waves are lowest, how low they are there, and from where to where about that they are larger tension than a weight is pressure.
+    /// Where waves are lowest, how low they are there, and from where to where layers come apart about that if this is more tension than a weight is pressure.
     fn least(
         &self,
         waves: &Waves,
@@ -180,24 +186,30 @@ impl Weights {
             let distance = (left - last).max(last - right).max(0.0);
             places.push(last + shortest.max(FARTHER * distance));
         }
-        let mut values: Vec<f64> = places.iter().map(|x| waves.at(*x)[0]).collect();
-        let lowest = (0..places.len()).min_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap_or(0);
-        let (from, to) = (places[lowest.saturating_sub(1)], places[(lowest + 1).min(places.len() - 1)]);
-        // the slope changes its sign between
-        let x = if lowest == 0 && is_even { 0.0 } else { waves.flat(places[lowest], [from, to]) };
-        let least = waves.at(x)[0];
+        let looks: Vec<[f64; 2]> = places.iter().map(|x| waves.at(*x)).collect();
+        let last = places.len() - 1;
+        // what is even is flat at x = 0, too
+        let flat = if is_even && looks[0][0] < looks[last][0] { 0 } else { last };
+        let (mut x, mut least) = (places[flat], looks[flat][0]);
+        for k in (0..last).filter(|k| looks[*k][1] < 0.0 && looks[k + 1][1] >= 0.0) {
+            // the lowest of several is seen from nearby
+            if looks[k][0].min(looks[k + 1][0]) < NEARLY * least {
+                let place = waves.flat([places[k], places[k + 1]], [looks[k][1], looks[k + 1][1]]);
+                let [value, _] = waves.at(place);
+                if value < least {
+                    (x, least) = (place, value);
+                }
+            }
+        }
         if least >= -(1.0 + COARSEST) * weight {
             return (x, least, None);
         }
-        let number = places.partition_point(|place| *place < x);
-        places.insert(number, x);
-        values.insert(number, least);
-        let pulls = |k: usize| values.get(k).is_some_and(|value| *value < -weight);
-        let first = (0..=number).rev().take_while(|k| pulls(*k)).last().unwrap_or(number);
-        let last = (number..places.len()).take_while(|k| pulls(*k)).last().unwrap_or(number);
-        let end = |from: usize, to: usize| waves.crosses(-weight, places[from], places[to.min(places.len() - 1)]);
-        // where layers pull elsewhere is seen once they are apart here
-        (x, least, Some([end(first, first.saturating_sub(1)), end(last, last + 1)]))
+        let pulls = |k: &usize| looks[*k][0] < -weight;
+        let after = places.partition_point(|place| *place <= x);
+        let right = (after..=last).find(|k| !pulls(k)).map_or(places[last], |k| waves.crosses(-weight, x, places[k]));
+        let left = (0..after).rev().find(|k| !pulls(k)).map_or(places[0], |k| waves.crosses(-weight, x, places[k]));
+        // a short opening is √2 as long as the pressure over it would be tension; where layers pull elsewhere is seen once they are apart here
+        (x, least, Some([left, right].map(|end| x + SQRT_2 * (end - x))))
     }
 }
 
@@ -225,10 +237,11 @@ impl Waves {
         [value, slope]
     }
 
-    /// Where the slope vanishes between two places, before the second of which the value rises: by false position, in which an end that stays counts for half of its slope.
-    fn flat(&self, first: f64, [mut from, mut to]: [f64; 2]) -> f64 {
-        let [mut falls, mut rises] = [from, to].map(|x| self.at(x)[1]);
-        let (mut x, mut last) = (first, 0.0);
+    /// Where the slope vanishes between two places at which it is known, before the second of which the value rises: by false position, in which an end that stays counts for half
+    /// of its slope.
+    fn flat(&self, [mut from, mut to]: [f64; 2], [mut falls, mut rises]: [f64; 2]) -> f64 {
+        let between = |[from, to]: [f64; 2], [falls, rises]: [f64; 2]| from - falls * (to - from) / (rises - falls);
+        let (mut x, mut last) = (between([from, to], [falls, rises]), 0.0);
         for _ in 0..STEPS {
             let slope = self.at(x)[1];
             let side = if slope < 0.0 { -1.0 } else { 1.0 };
@@ -238,7 +251,7 @@ impl Waves {
             } else {
                 (to, rises, falls) = (x, slope, stays * falls);
             }
-            let next = from - falls * (to - from) / (rises - falls);
+            let next = between([from, to], [falls, rises]);
             let is_inside = from < next && next < to;
             if !is_inside || (next - x).abs() <= f64::EPSILON * x.abs() {
                 return if is_inside { next } else { x };

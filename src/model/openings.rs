@@ -96,7 +96,7 @@ impl Model {
 
     fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
         let (_, weights) = self.closed.as_ref()?;
-        weights.separation(solution, |factor| Some(self.scaled(top, solution, factor)?.1))
+        weights.separation(solution, top.loads().is_some(), |factor| Some(self.scaled(top, solution, factor)?.1))
     }
 
     /// The same question where interfaces are closed but for openings.

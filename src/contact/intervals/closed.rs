@@ -14,9 +14,9 @@ use crate::numeric::largest;
 use crate::solution::{ClosedInterface, Contact, Opening, Strip};
 
 /// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face, and the growth of steps beyond all ends.
-const PLACES: usize = 64;
-const WAVES: f64 = 4.0;
-const FARTHER: f64 = 0.04;
+const PLACES: usize = 16;
+const WAVES: f64 = 2.0;
+const FARTHER: f64 = 0.1;
 /// Halvings of what the largest gap lies in.
 const HALVINGS: usize = 50;
 
@@ -85,7 +85,7 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
 /// Places from far on the left to far on the right, dense next to openings.
 fn places(intervals: &[ContactInterval], reach: f64, farthest: f64, step: f64) -> Vec<f64> {
     let shortest = intervals.iter().map(|own| 4.0 * own.half / PLACES as f64).fold(step, f64::min);
-    let step = shortest.max(reach / (2 * PLACES) as f64);
+    let step = shortest.max(reach / (8 * PLACES) as f64);
     let mut places = vec![-reach - farthest];
     while let Some(last) = places.last().copied().filter(|last| *last < reach + farthest) {
         let beyond = (last.abs() - reach).max(0.0);
