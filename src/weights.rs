@@ -18,11 +18,12 @@ const STEP: f64 = 0.125;
 const FARTHER: f64 = 0.1;
 /// Where places beside a least pressure have less than this part of the lowest one, another one is lower.
 const NEARLY: f64 = 0.5;
-/// Steps by false position to a place of least pressure at most, which take some ten, and halvings of where tension begins, which need not be known well.
+/// Steps by false position to a place of least pressure at most, which take some ten.
 const STEPS: usize = 60;
-const HALVINGS: usize = 16;
 /// Forces are scaled at most so often until the first interface opens.
 const SCALINGS: usize = 30;
+/// Forces are scaled once more where tension differs from the weight by so much, relative.
+const ENOUGH: f64 = 1e-6;
 /// Tension counts as none below this part of the weight.
 const COARSEST: f64 = 1e-9;
 /// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
@@ -115,7 +116,7 @@ impl Weights {
             if tension <= 0.0 {
                 return None;
             }
-            if is_linear || (tension - 1.0).abs() < ROUNDING {
+            if is_linear || (tension - 1.0).abs() < ENOUGH {
                 break;
             }
             // tension grows like a power of the forces, which the last two of them tell
@@ -125,8 +126,9 @@ impl Weights {
             let grows = (tension / before.1).ln() / (factor / before.0).ln();
             power = if grows > 0.0 { grows } else { 1.0 };
         }
-        let missed = if is_linear { 0.0 } else { (tension - 1.0).abs() };
-        let critical_force = factor / tension * solution.force();
+        // a secant leaves next to nothing of so little
+        let missed = if is_linear { 0.0 } else { (ENOUGH * (tension - 1.0)).abs() };
+        let critical_force = factor * tension.powf(-1.0 / power) * solution.force();
         let critical_force_error = (self.above_error(solution) + missed) * critical_force;
         Some(Separation { critical_force, critical_force_error, interface: own.interface, x: own.smallest_at })
     }
@@ -204,12 +206,24 @@ impl Weights {
         if least >= -(1.0 + COARSEST) * weight {
             return (x, least, None);
         }
-        let pulls = |k: &usize| looks[*k][0] < -weight;
+        // tension ends between two places, next to the least pressure like a parabola
         let after = places.partition_point(|place| *place <= x);
-        let right = (after..=last).find(|k| !pulls(k)).map_or(places[last], |k| waves.crosses(-weight, x, places[k]));
-        let left = (0..after).rev().find(|k| !pulls(k)).map_or(places[0], |k| waves.crosses(-weight, x, places[k]));
+        let ends = |outwards: &mut dyn Iterator<Item = usize>| {
+            let mut inner = (x, least);
+            for k in outwards {
+                let [value, _] = looks[k];
+                if value >= -weight {
+                    let part = (-weight - inner.1) / (value - inner.1);
+                    let part = if inner.0 == x { part.sqrt() } else { part };
+                    return inner.0 + part * (places[k] - inner.0);
+                }
+                inner = (places[k], value);
+            }
+            inner.0
+        };
+        let tensile = [ends(&mut (0..after).rev()), ends(&mut (after..=last))];
         // a short opening is √2 as long as the pressure over it would be tension; where layers pull elsewhere is seen once they are apart here
-        (x, least, Some([left, right].map(|end| x + SQRT_2 * (end - x))))
+        (x, least, Some(tensile.map(|end| x + SQRT_2 * (end - x))))
     }
 }
 
@@ -253,21 +267,12 @@ impl Waves {
             }
             let next = between([from, to], [falls, rises]);
             let is_inside = from < next && next < to;
-            if !is_inside || (next - x).abs() <= f64::EPSILON * x.abs() {
+            if !is_inside || (next - x).abs() <= ROUNDING * x.abs() {
                 return if is_inside { next } else { x };
             }
             (x, last) = (next, side);
         }
         x
-    }
-
-    /// Where the value rises beyond another one between two places.
-    fn crosses(&self, value: f64, mut below: f64, mut above: f64) -> f64 {
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (below + above);
-            if self.at(middle)[0] < value { below = middle } else { above = middle }
-        }
-        0.5 * (below + above)
     }
 
     /// The mean of the wavenumbers, by the sizes of waves.

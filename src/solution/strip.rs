@@ -78,15 +78,15 @@ impl Strip {
 
     /// The integral of the series and of what is singular at its ends from the left end to x = at + extent cos φ, over the extent.
     pub(crate) fn integral_to(&self, phi: f64) -> f64 {
-        let part = |k: usize| (k as f64 * phi).sin() / k as f64;
-        let term = |j: usize| match j {
-            1 => PI - phi + part(2),
-            _ => part(j + 1) - part(j - 1),
-        };
-        let even = self.coefficients.iter().enumerate().map(|(m, c)| c * term(2 * m + 1)).sum::<f64>();
-        let odd = self.skew.iter().enumerate().map(|(m, c)| c * term(2 * m + 2)).sum::<f64>();
+        // 2 sin jφ sin φ is cos (j − 1)φ − cos (j + 1)φ
+        let (even, odd) = (&self.coefficients, &self.skew);
+        let after = |all: &[f64], m: usize| all.get(m).copied().unwrap_or(0.0);
+        let of_even = (0..even.len()).map(|m| (even[m] - after(even, m + 1)) / (2 * m + 2) as f64);
+        let before = std::iter::once(0.0).chain(odd.iter().copied());
+        let of_odd = before.enumerate().map(|(m, before)| (before - after(odd, m)) / (2 * m + 1) as f64);
         let [left, right] = self.corners;
-        0.5 * (even + odd + (left + right) * (PI - phi) + (left - right) * phi.sin())
+        let series = sine_sum(of_even, 2, phi) + sine_sum(of_odd, 1, phi);
+        0.5 * (series + (self.first() + left + right) * (PI - phi) + (left - right) * phi.sin())
     }
 
     /// The first coefficient of the series.
@@ -164,7 +164,10 @@ impl Strip {
                     let [series] = jacobi_sums(&self.coefficients, [s.abs()]);
                     return series + corners + tip;
                 }
-                sine_sum(&self.coefficients, 1, phi) + sine_sum(&self.skew, 2, phi) + corners + tip
+                sine_sum(self.coefficients.iter().copied(), 1, phi)
+                    + sine_sum(self.skew.iter().copied(), 2, phi)
+                    + corners
+                    + tip
             }
         }
     }
@@ -268,15 +271,15 @@ fn step(m: usize) -> [f64; 3] {
 }
 
 /// Σ c_m sin((2m + first) φ).
-fn sine_sum(coefficients: &[f64], first: usize, phi: f64) -> f64 {
-    let turn = Complex64::cis(2.0 * phi);
+fn sine_sum(coefficients: impl Iterator<Item = f64>, first: usize, phi: f64) -> f64 {
+    let (turn, mut wave) = (Complex64::cis(2.0 * phi), Complex64::ONE);
     let mut sum = 0.0;
-    for (start, some) in (first..).step_by(2 * ROTATED).zip(coefficients.chunks(ROTATED)) {
-        let mut wave = Complex64::cis(start as f64 * phi);
-        for c in some {
-            sum += c * wave.im;
-            wave *= turn;
+    for (m, c) in coefficients.enumerate() {
+        if m.is_multiple_of(ROTATED) {
+            wave = Complex64::cis((2 * m + first) as f64 * phi);
         }
+        sum += c * wave.im;
+        wave *= turn;
     }
     sum
 }
