@@ -51,6 +51,7 @@ pub(crate) struct Weights {
 struct Waves {
     wavenumbers: Vec<f64>,
     amplitudes: [Vec<f64>; 2],
+    is_even: bool,
     is_round: bool,
 }
 
@@ -70,14 +71,15 @@ impl Weights {
         let middle = solution.about().unwrap_or(0.0);
         let contact = &solution.contacts()[self.above];
         let error = self.above_error(solution);
-        let pressure = ContactPressure::new(contact, solution.about().is_some(), middle);
+        let is_even = solution.about().is_some();
+        let pressure = ContactPressure::new(contact, is_even, middle);
         let ends = contact.ends().map(|end| end - middle);
         let mut tensile = None;
         let mut deepest = 0.0;
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
-            let waves = self.waves(i + 1, &pressure, ends);
+            let waves = self.waves(i + 1, (&pressure, is_even), ends);
             let [central, _] = waves.at(-middle);
-            let (x, least, tension) = self.least(&waves, *weight, ends, solution.about().is_some());
+            let (x, least, tension) = self.least(&waves, *weight, ends);
             // where one interface opens, others need not
             if let Some(ends) = tension.filter(|_| -least / weight > deepest) {
                 deepest = -least / weight;
@@ -145,7 +147,7 @@ impl Weights {
     }
 
     /// The waves of the pressure on interface i that what presses above makes, which begins and ends there.
-    fn waves(&self, i: usize, pressure: &ContactPressure, ends: [f64; 2]) -> Waves {
+    fn waves(&self, i: usize, (pressure, is_even): (&ContactPressure, bool), ends: [f64; 2]) -> Waves {
         let (kernel, is_round) = (&self.kernel, self.kernel.geometry().is_axisymmetric());
         let length = kernel.length();
         let pair = kernel.neighbours(0).find(|(other, _)| *other == i).map_or(0, |(_, pair)| pair);
@@ -169,21 +171,17 @@ impl Weights {
         let measure = |wave: f64| if is_round { wave } else { PI.recip() };
         let factors: Vec<f64> = zeta.iter().zip(&weights).map(|(wave, weight)| weight * measure(*wave)).collect();
         let even = factors.iter().zip(&transforms).map(|(factor, transform)| factor * transform.value.re).collect();
-        let odd = factors.iter().zip(&transforms).map(|(factor, transform)| factor * transform.value.im).collect();
-        Waves { wavenumbers: zeta, amplitudes: [even, odd], is_round }
+        // of what is even the imaginary parts mean nothing
+        let odd = factors.iter().zip(&transforms).map(|(factor, transform)| factor * transform.value.im);
+        let odd = if is_even { vec![0.0; factors.len()] } else { odd.collect() };
+        Waves { wavenumbers: zeta, amplitudes: [even, odd], is_even, is_round }
     }
 
     /// Where waves are lowest, how low they are there, and from where to where layers come apart about that if this is more tension than a weight is pressure.
-    fn least(
-        &self,
-        waves: &Waves,
-        weight: f64,
-        [left, right]: [f64; 2],
-        is_even: bool,
-    ) -> (f64, f64, Option<[f64; 2]>) {
+    fn least(&self, waves: &Waves, weight: f64, [left, right]: [f64; 2]) -> (f64, f64, Option<[f64; 2]>) {
         let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).max((right - left) / MOST_PLACES);
         let farthest = self.farthest();
-        let mut places = vec![if is_even { 0.0 } else { left - farthest }];
+        let mut places = vec![if waves.is_even { 0.0 } else { left - farthest }];
         while let Some(last) = places.last().copied().filter(|last| *last < right + farthest) {
             let distance = (left - last).max(last - right).max(0.0);
             places.push(last + shortest.max(FARTHER * distance));
@@ -191,7 +189,7 @@ impl Weights {
         let looks: Vec<[f64; 2]> = places.iter().map(|x| waves.at(*x)).collect();
         let last = places.len() - 1;
         // what is even is flat at x = 0, too
-        let flat = if is_even && looks[0][0] < looks[last][0] { 0 } else { last };
+        let flat = if waves.is_even && looks[0][0] < looks[last][0] { 0 } else { last };
         let (mut x, mut least) = (places[flat], looks[flat][0]);
         for k in (0..last).filter(|k| looks[*k][1] < 0.0 && looks[k + 1][1] >= 0.0) {
             // the lowest of several is seen from nearby

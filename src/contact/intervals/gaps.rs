@@ -200,7 +200,8 @@ impl<'a> Gaps<'a> {
         let mut waves: Vec<_> = (0..problem.contacts()).map(none).collect();
         let amplitudes = equations.told_amplitudes(&level.solved.pressures);
         equations.responses(&[amplitudes], |[_, contact], nodes, _, response| {
-            let first = usize::from(equations.columns[contact].are_odd());
+            // where all is even an interface that opens, or may do so, has the odd part
+            let first = usize::from(!equations.moves && problem.is_opened(contact));
             for (part, values) in (first..).zip(response.chunks(nodes.len().max(1))) {
                 waves[contact][part][nodes.clone()].copy_from_slice(values);
             }
