@@ -24,6 +24,8 @@ const STEPS: usize = 60;
 const SCALINGS: usize = 30;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
 const ENOUGH: f64 = 1e-6;
+/// Tension is taken to grow no more slowly than like this power of the forces, so that these do not grow beyond all bounds.
+const SLOWEST: f64 = 0.5;
 /// Tension counts as none below this part of the weight.
 const COARSEST: f64 = 1e-9;
 /// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
@@ -126,7 +128,7 @@ impl Weights {
             factor *= tension.powf(-1.0 / power);
             (tension, own) = opens(&scaled(factor)?)?;
             let grows = (tension / before.1).ln() / (factor / before.0).ln();
-            power = if grows > 0.0 { grows } else { 1.0 };
+            power = grows.max(SLOWEST);
         }
         // a secant leaves next to nothing of so little
         let missed = if is_linear { 0.0 } else { (ENOUGH * (tension - 1.0)).abs() };
