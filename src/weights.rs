@@ -25,7 +25,7 @@ const SCALINGS: usize = 30;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
 const ENOUGH: f64 = 1e-6;
 /// Tension is taken to grow no more slowly than like this power of the forces, so that these do not grow beyond all bounds.
-const SLOWEST: f64 = 0.5;
+const SLOWEST: f64 = 0.2;
 /// Tension counts as none below this part of the weight.
 const COARSEST: f64 = 1e-9;
 /// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
@@ -116,19 +116,33 @@ impl Weights {
             all.map(|own| (tension(&own), own)).max_by(|(a, _), (b, _)| a.total_cmp(b))
         };
         let (mut factor, mut power, (mut tension, mut own)) = (1.0, 1.0, opens(solution)?);
+        let (mut below, mut above) = (0.0, f64::INFINITY);
+        let is_found = |tension: f64| is_linear || (tension - 1.0).abs() < ENOUGH;
         for _ in 0..SCALINGS {
-            if tension <= 0.0 {
-                return None;
-            }
-            if is_linear || (tension - 1.0).abs() < ENOUGH {
+            if tension <= 0.0 || is_found(tension) {
                 break;
             }
+            if tension < 1.0 {
+                below = factor
+            } else {
+                above = factor
+            }
             // tension grows like a power of the forces, which the last two of them tell
+            let expected = factor * tension.powf(-1.0 / power);
+            let next = if below < expected && expected < above { expected } else { (below * above).sqrt() };
+            // a punch may not carry as much
+            let Some(solution) = scaled(next) else {
+                above = next;
+                continue;
+            };
             let before = (factor, tension);
-            factor *= tension.powf(-1.0 / power);
-            (tension, own) = opens(&scaled(factor)?)?;
+            factor = next;
+            (tension, own) = opens(&solution)?;
             let grows = (tension / before.1).ln() / (factor / before.0).ln();
             power = grows.max(SLOWEST);
+        }
+        if tension <= 0.0 || !is_found(tension) {
+            return None;
         }
         // a secant leaves next to nothing of so little
         let missed = if is_linear { 0.0 } else { (ENOUGH * (tension - 1.0)).abs() };
