@@ -7,14 +7,17 @@ use std::f64::consts::{PI, SQRT_2};
 use crate::field::ContactPressure;
 use crate::kernel::{Kernel, Panel};
 use crate::numeric::bessel;
+use crate::numeric::longest;
 use crate::numeric::quadrature::{LARGEST, points, rule};
 use crate::numeric::trigonometry;
 use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::stack::Stack;
 use crate::system::Unresolved;
 
-/// Steps between places at which pressures and their slopes are found, over the mean wavelength, and farther away in parts of the distance.
+/// Steps between places at which pressures and their slopes are found, over the mean wavelength, or in parts of how far from what presses they are looked at, and away from
+/// the ends of what presses in parts of the distance.
 const STEP: f64 = 0.125;
+const PARTS: f64 = 64.0;
 const FARTHER: f64 = 0.1;
 /// Where places beside a least pressure have less than this part of the lowest one, another one is lower.
 const NEARLY: f64 = 0.5;
@@ -75,13 +78,14 @@ impl Weights {
         let error = self.above_error(solution);
         let is_even = solution.about().is_some();
         let pressure = ContactPressure::new(contact, is_even, middle);
-        let ends = contact.ends().map(|end| end - middle);
+        let ends: Vec<f64> =
+            contact.intervals.iter().flat_map(|own| [own.left, own.right]).map(|end| end - middle).collect();
         let mut tensile = None;
         let mut deepest = 0.0;
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
-            let waves = self.waves(i + 1, (&pressure, is_even), ends);
+            let waves = self.waves(i + 1, (&pressure, is_even), &ends);
             let [central, _] = waves.at(-middle);
-            let (x, least, tension) = self.least(&waves, *weight, ends);
+            let (x, least, tension) = self.least(&waves, *weight, &ends);
             // where one interface opens, others need not
             if let Some(ends) = tension.filter(|_| -least / weight > deepest) {
                 deepest = -least / weight;
@@ -162,12 +166,12 @@ impl Weights {
         self.kernel.length() * self.kernel.farthest()
     }
 
-    /// The waves of the pressure on interface i that what presses above makes, which begins and ends there.
-    fn waves(&self, i: usize, (pressure, is_even): (&ContactPressure, bool), ends: [f64; 2]) -> Waves {
+    /// The waves of the pressure on interface i that what presses above makes, which has these ends.
+    fn waves(&self, i: usize, (pressure, is_even): (&ContactPressure, bool), ends: &[f64]) -> Waves {
         let (kernel, is_round) = (&self.kernel, self.kernel.geometry().is_axisymmetric());
         let length = kernel.length();
         let pair = kernel.neighbours(0).find(|(other, _)| *other == i).map_or(0, |(_, pair)| pair);
-        let reach = (self.farthest() + ends[1].abs().max(ends[0].abs())) / length;
+        let reach = (self.farthest() + longest(ends.iter().copied())) / length;
         let (mut zeta, mut weights) = (Vec::new(), Vec::new());
         let matters = |panel: &&Panel| panel.couplings[pair] > NEGLIGIBLE && panel.from * reach < MOST_PHASE;
         for panel in kernel.panels.iter().filter(matters) {
@@ -194,13 +198,14 @@ impl Weights {
     }
 
     /// Where waves are lowest, how low they are there, and from where to where layers come apart about that if this is more tension than a weight is pressure.
-    fn least(&self, waves: &Waves, weight: f64, [left, right]: [f64; 2]) -> (f64, f64, Option<[f64; 2]>) {
-        let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).max((right - left) / MOST_PLACES);
+    fn least(&self, waves: &Waves, weight: f64, ends: &[f64]) -> (f64, f64, Option<[f64; 2]>) {
         let farthest = self.farthest();
-        let mut places = vec![if waves.is_even { 0.0 } else { left - farthest }];
-        while let Some(last) = places.last().copied().filter(|last| *last < right + farthest) {
-            let distance = (left - last).max(last - right).max(0.0);
-            places.push(last + shortest.max(FARTHER * distance));
+        let [from, to] = [ends[0] - farthest, ends[ends.len() - 1] + farthest];
+        let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).min(farthest / PARTS).max((to - from) / MOST_PLACES);
+        let mut places = vec![if waves.is_even { 0.0 } else { from }];
+        while let Some(last) = places.last().copied().filter(|last| *last < to) {
+            let nearest = ends.iter().map(|end| (last - end).abs()).fold(f64::INFINITY, f64::min);
+            places.push(last + shortest.max(FARTHER * nearest));
         }
         let looks: Vec<[f64; 2]> = places.iter().map(|x| waves.at(*x)).collect();
         let last = places.len() - 1;
