@@ -171,7 +171,8 @@ impl Weights {
         let (kernel, is_round) = (&self.kernel, self.kernel.geometry().is_axisymmetric());
         let length = kernel.length();
         let pair = kernel.neighbours(0).find(|(other, _)| *other == i).map_or(0, |(_, pair)| pair);
-        let reach = (self.farthest() + longest(ends.iter().copied())) / length;
+        // a wave at the farthest place looked at, times the transform of a pressure at the farthest end
+        let reach = (self.farthest() + 2.0 * longest(ends.iter().copied())) / length;
         let (mut zeta, mut weights) = (Vec::new(), Vec::new());
         let matters = |panel: &&Panel| panel.couplings[pair] > NEGLIGIBLE && panel.from * reach < MOST_PHASE;
         for panel in kernel.panels.iter().filter(matters) {
