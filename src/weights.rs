@@ -26,7 +26,7 @@ const STEPS: usize = 60;
 /// Forces are scaled at most so often until the first interface opens.
 const SCALINGS: usize = 30;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
-const ENOUGH: f64 = 1e-6;
+const ENOUGH: f64 = 1e-9;
 /// Tension is taken to grow no more slowly than like this power of the forces, so that these do not grow beyond all bounds.
 const SLOWEST: f64 = 0.2;
 /// Tension counts as none below this part of the weight.
@@ -148,8 +148,8 @@ impl Weights {
         if tension <= 0.0 || !is_found(tension) {
             return None;
         }
-        // a secant leaves next to nothing of so little
-        let missed = if is_linear { 0.0 } else { (ENOUGH * (tension - 1.0)).abs() };
+        // more than a secant leaves of it
+        let missed = if is_linear { 0.0 } else { (tension - 1.0).abs() };
         let critical_force = factor * tension.powf(-1.0 / power) * solution.force();
         let critical_force_error = (self.above_error(solution) + missed) * critical_force;
         Some(Separation { critical_force, critical_force_error, interface: own.interface, x: own.smallest_at })

@@ -168,6 +168,33 @@ fn fields_of_layers_that_come_apart_carry_their_pressures() {
     }
 }
 
+/// The smallest pressure, and where it is, as fields have it: under loads on both sides of x = 0, and under a contact two hundred times as long as the layer is thick.
+#[test]
+fn smallest_pressures_are_the_ones_of_fields() {
+    let two = "geometry: PlaneStrain, loads: [
+        (load: Uniform(half_width: 0.2), at: -0.3, force: 60), (load: Uniform(half_width: 0.2), at: 0.3, force: 60)]";
+    let long = "Scene(geometry: PlaneStrain, punch: Parabola(radius: 1.42), force: 0.832, stack: [
+        Homogeneous(thickness: 0.0316, shear_modulus: 0.0112, poisson: 0.0, specific_weight: 0.0126), Receding,
+        HalfPlane(shear_modulus: 0.0344, poisson: -0.4386)])";
+    for text in
+        [on(1.0, two, ""), on(1.0, &two.replace("at: -0.3, force: 60", "at: -0.9, force: 20"), ""), long.to_owned()]
+    {
+        let scene = Scene::from_ron(&text).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        let own = &solution.closed()[0];
+        let thickness = scene.stack().unwrap().thickness();
+        let field = model.field(&solution).unwrap();
+        let pressure = |x: f64| -field.at_layer(x, thickness, 1).unwrap().sigma_yy;
+        let least = pressure(own.smallest_at);
+        assert!((least / own.smallest_pressure - 1.0).abs() < 1e-5, "{text}: {least} {own:?}");
+        for k in 1..60 {
+            let by = 0.05 * f64::from(k * k) * thickness;
+            assert!(pressure(own.smallest_at + by) > least && pressure(own.smallest_at - by) > least, "{text}: {by}");
+        }
+    }
+}
+
 #[test]
 fn even_curvature_is_pressed_flat() {
     let line = "geometry: PlaneStrain, load: Line, force: 20.0";
