@@ -183,7 +183,7 @@ fn smallest_pressures_are_the_ones_of_fields() {
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let solution = model.press(&scene.top, scene.force).unwrap();
         let own = &solution.closed()[0];
-        let thickness = scene.stack().unwrap().thickness();
+        let thickness = scene.stack().unwrap().total_thickness();
         let field = model.field(&solution).unwrap();
         let pressure = |x: f64| -field.at_layer(x, thickness, 1).unwrap().sigma_yy;
         let least = pressure(own.smallest_at);
