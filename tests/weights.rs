@@ -195,6 +195,36 @@ fn smallest_pressures_are_the_ones_of_fields() {
     }
 }
 
+/// What is even is solved for on one side: the answer is the one on both sides, also where an opening is about the middle, where a face is graded, and where two interfaces open.
+#[test]
+fn even_openings_are_the_ones_on_both_sides() {
+    let layer = "Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1.0)";
+    let graded = "Exponential(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, beta: 0.5, specific_weight: 1.0)";
+    let light = "Homogeneous(thickness: 0.7, shear_modulus: 0.75, poisson: 0.25, specific_weight: 0.01)";
+    let stacks =
+        [(layer.to_owned(), 3.0, 3), (graded.to_owned(), 0.3, 2), (format!("{layer}, Receding, {light}"), 0.3, 4)];
+    for (layers, at, count) in stacks {
+        let openings = |other: f64| {
+            let text = format!(
+                "Scene(geometry: PlaneStrain, loads: [(load: Uniform(half_width: 0.2), at: -{at}, force: 200),
+                (load: Uniform(half_width: 0.2), at: {at}, force: {other:?})],
+                stack: [{layers}, Receding, HalfPlane(shear_modulus: 0.75, poisson: 0.25)])"
+            );
+            let (solution, _) = solved(&text).unwrap();
+            solution.closed().iter().flat_map(|own| own.openings.clone()).collect::<Vec<_>>()
+        };
+        let (even, other) = (openings(200.0), openings(200.0 * (1.0 + 1e-11)));
+        assert_eq!((even.len(), other.len()), (count, count));
+        for (even, other) in even.iter().zip(other) {
+            assert!(
+                (even.left - other.left).abs() < 1e-8 && (even.right - other.right).abs() < 1e-8,
+                "{even:?} {other:?}"
+            );
+            assert!((even.largest_gap / other.largest_gap - 1.0).abs() < 1e-8, "{even:?} {other:?}");
+        }
+    }
+}
+
 #[test]
 fn even_curvature_is_pressed_flat() {
     let line = "geometry: PlaneStrain, load: Line, force: 20.0";
