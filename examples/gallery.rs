@@ -14,7 +14,7 @@ pub use case::{Case, Found};
 use recede::plot;
 
 /// The scenes in the order of the page.
-pub const SCENES: [&str; 15] = [
+pub const SCENES: [&str; 18] = [
     "rubber_covered_roller",
     "elastic_roller",
     "two_rollers",
@@ -23,10 +23,13 @@ pub const SCENES: [&str; 15] = [
     "eccentric_seal",
     "rail_pad",
     "slab_on_soil",
+    "slab_held_down",
+    "curled_slab",
     "laminated_glass",
     "cfrp_plies",
     "hard_coating",
     "graded_coating",
+    "stressed_coating",
     "afm_on_gel",
     "ball_on_coating",
     "wheel_on_slab",

@@ -70,6 +70,7 @@ mod round_reports;
 mod singular;
 mod singular_extremes;
 mod skips;
+mod strains;
 mod sweep;
 mod system;
 mod thin_layers;

@@ -37,7 +37,7 @@ pub fn page_as_in_the_documents() -> Result<(), Box<dyn Error>> {
 #[test]
 fn every_scene_has_a_section_and_a_picture() {
     let listed: BTreeSet<String> = program::SCENES.map(str::to_owned).into();
-    assert_eq!(listed.len(), 15);
+    assert_eq!(listed.len(), 18);
     assert_eq!(listed, names("examples/gallery", "ron"));
     assert_eq!(listed, names("docs/pictures/gallery", "svg"));
     let page = fs::read_to_string(root().join("docs/gallery.md")).unwrap();

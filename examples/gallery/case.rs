@@ -139,6 +139,20 @@ impl Case {
             let pressure = largest(peak.pressure, peak.x);
             numbers.push((format!("{}: largest pressure, {stress}", contact.interface), pressure));
         }
+        for own in solution.closed() {
+            let pressure = Value { number: own.smallest_pressure, at: own.smallest_at, is_mirrored };
+            numbers.push((format!("{}: smallest pressure, {stress}", own.interface), pressure));
+            if let Some(opening) = own.openings.last() {
+                let name = |what: &str| format!("{}: {what}, {length}", own.interface);
+                numbers.push((name("gap on the right, from"), Value::of(opening.left)));
+                numbers.push((name("its length"), Value::of(opening.right - opening.left)));
+                numbers.push((name("its height"), Value::of(opening.largest_gap)));
+            }
+        }
+        if let Some(separation) = model.separation(&scene.top, &solution)? {
+            let value = Value { number: separation.critical_force, at: separation.x, is_mirrored };
+            numbers.push((format!("force under which {} opens, {force}", separation.interface), value));
+        }
         for (k, punch) in solution.punches().iter().enumerate().filter(|(_, punch)| punch.tilt.abs() > 1e-12) {
             numbers.push((format!("tilt of punch {}, rad", k + 1), Value::of(punch.tilt)));
         }

@@ -105,10 +105,10 @@ pub fn amadeus() -> Result<Table, Error> {
         let field = model.field(&solution)?;
         let places = [(260.0, 1, 5000.0), (260.0, 2, 200.0), (760.0, 3, 50.0)];
         for (i, ((depth, layer, young), published)) in places.into_iter().zip(published).enumerate() {
-            let strains = field.at_layer(0.0, depth, layer)?.strains.unwrap_or([f64::NAN; 3]);
+            let point = field.at_layer(0.0, depth, layer)?;
             let error = 3e6 / young * field.stress_error(&Point { x: 0.0, depth, layer: Some(layer) })?;
             // compression is positive there
-            let strain = -1e6 * if i == 0 { strains[0] } else { strains[2] };
+            let strain = -1e6 * if i == 0 { point.eps_xx } else { point.eps_yy };
             let quantity = ["ε_r, layer 1", "ε_z, layer 2", "ε_z, layer 3"][i];
             let quantity = if i == 1 && slides { "ε_z, layer 2, sliding" } else { quantity };
             numbers.push(Number::new(of, quantity, published, (strain, error)));

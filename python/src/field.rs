@@ -84,7 +84,7 @@ impl Field {
     }
 
     /// The stresses by which layers and bonds break, as `recede solve --extremes --format json` has them: the largest `tension`; of each
-    /// of the `layers` the largest von Mises stress; of each of the `interfaces` that do not open the shear stress and the tension across
+    /// of the `layers` the largest von Mises stress and tensile strain; of each of the `interfaces` that do not open the shear stress and the tension across
     /// it. None for what is not there, or not known.
     fn extremes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let found = py.detach(|| self.inner.extremes()).map_err(|error| self.solver.failed(py, &error.into()))?;
@@ -95,10 +95,11 @@ impl Field {
             Ok(Some(all))
         };
         let (all, layers, interfaces) = (PyDict::new(py), PyList::empty(py), PyList::empty(py));
-        for LayerExtremes { layer, von_mises } in &found.layers {
+        for LayerExtremes { layer, von_mises, tensile_strain } in &found.layers {
             let all = PyDict::new(py);
             all.set_item("layer", layer)?;
             all.set_item("von_mises", of(*von_mises)?)?;
+            all.set_item("tensile_strain", of(*tensile_strain)?)?;
             layers.append(all)?;
         }
         for BondExtremes { above, below, shear, tension, .. } in &found.bonds {

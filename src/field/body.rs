@@ -36,6 +36,8 @@ pub(super) struct PlacedLayer {
     /// The body it belongs to, and its place in it.
     pub(super) body: usize,
     pub(super) place: usize,
+    /// The modulus of stretching along it in its middle, or at the face of a half-plane, in stress.
+    pub(super) stiffness: f64,
     /// How eigenstrains and weights strain it, if there are any.
     residual: Option<ResidualStrain>,
 }
@@ -115,7 +117,8 @@ pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
             let (number, layer, thickness) = (*number, layer.clone(), layer.thickness());
             let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
             let residual = residual.as_ref().map(|residual| residual.layers[layers.len()]);
-            layers.push(PlacedLayer { number, layer, top, thickness, slowest, body, place, residual });
+            let stiffness = layer.material(0.5 * thickness.unwrap_or(0.0), stack.plane()).axial_stiffness;
+            layers.push(PlacedLayer { number, layer, top, thickness, slowest, body, place, stiffness, residual });
             top += thickness.unwrap_or(0.0);
         }
     }

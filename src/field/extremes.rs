@@ -1,4 +1,4 @@
-//! Stresses by which layers and bonds break: the largest tension, the largest von Mises stress of each layer, and the largest shear
+//! Stresses and strains by which layers and bonds break: the largest tension, the largest von Mises stress and tensile strain of each layer, and the largest shear
 //! stress and tension across each interface that does not open.
 use serde::Serialize;
 
@@ -12,10 +12,10 @@ use crate::system::Unresolved;
 /// leave out.
 const NOTHING: f64 = 1e-12;
 
-/// The largest value of a stress, and where it is.
+/// The largest value of a stress or of a strain, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Extreme {
-    /// The stress; infinite where it is at a singular point.
+    /// The stress or strain; infinite where it is at a singular point.
     pub value: f64,
     /// Estimate of its absolute error; 0 if it is infinite.
     pub error: f64,
@@ -47,6 +47,8 @@ pub struct LayerExtremes {
     pub layer: usize,
     /// Von Mises' equivalent stress; `None` if the material does not give the stress out of the plane.
     pub von_mises: Option<Extreme>,
+    /// The largest strain, dimensionless, positive where the layer is stretched; about an axis in any direction. `None` if it is stretched nowhere.
+    pub tensile_strain: Option<Extreme>,
 }
 
 /// The extremes of an interface that does not open: bonded, sliding, or of springs.
@@ -62,7 +64,7 @@ pub struct BondExtremes {
     pub tension: Option<Extreme>,
 }
 
-/// Stresses by which layers and bonds break; made by [`Field::extremes`].
+/// Stresses and strains by which layers and bonds break; made by [`Field::extremes`].
 ///
 /// ```
 /// use recede::{HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
@@ -97,7 +99,7 @@ impl Field {
         Ok(MaxShear { value, x: self.middle + x, depth: placed.top + depth, layer: placed.number })
     }
 
-    /// The largest tension, the largest von Mises stress of each layer, and the largest shear stress and tension across each interface
+    /// The largest tension, the largest von Mises stress and tensile strain of each layer, and the largest shear stress and tension across each interface
     /// that does not open.
     ///
     /// A value is the value of the field at the place named, right to the error given with it. Places are found to some 1e-4 of the shortest
@@ -110,15 +112,20 @@ impl Field {
     pub fn extremes(&self) -> Result<Extremes, FieldError> {
         let (layers, bonds) = (0..self.layers.len(), self.bonds());
         let mut searches = vec![(Measure::Tension, None)];
-        searches.extend(layers.clone().map(|layer| (Measure::VonMises, Some(layer))));
+        let of_layer = |layer| [Measure::VonMises, Measure::TensileStrain].map(|measure| (measure, Some(layer)));
+        searches.extend(layers.clone().flat_map(of_layer));
         for (layer, _) in &bonds {
             searches.extend([Measure::FaceShear, Measure::FaceTension].map(|measure| (measure, Some(*layer))));
         }
         let mut extremes = self.exact(&highest(self, &searches)?)?.into_iter();
         let mut next = || extremes.next().flatten();
         let tension = next();
-        let layers =
-            layers.map(|layer| LayerExtremes { layer: self.layers[layer].number, von_mises: next() }).collect();
+        let of_layer = |layer: usize| LayerExtremes {
+            layer: self.layers[layer].number,
+            von_mises: next(),
+            tensile_strain: next(),
+        };
+        let layers = layers.map(of_layer).collect();
         let bonds = bonds.into_iter().map(|(layer, below)| BondExtremes {
             above: self.layers[layer].number,
             below,
@@ -147,8 +154,13 @@ impl Field {
             let allowed = waves::STRESSES.on_face * mean;
             let unseen = (self.truncation(&row, place, &waves::STRESSES) - allowed).max(0.0);
             let missed = self.truncation(&row, place, &waves::FULL).min(allowed) + NOTHING * mean;
-            let found = of(peak.measure.of(&there), self.stress_error(&point)? + unseen);
-            Ok(Some(found).filter(|found| found.value > missed))
+            let (value, error) = (peak.measure.of(&there), self.stress_error(&point)? + unseen);
+            // a strain follows from two stresses
+            let found = match peak.measure {
+                Measure::TensileStrain => of(value / there.stiffness, 2.0 * error / there.stiffness),
+                _ => of(value, error),
+            };
+            Ok(Some(found).filter(|_| value > missed))
         };
         peaks.iter().map(|peak| peak.as_ref().map_or(Ok(None), &mut extreme)).collect()
     }

@@ -1,4 +1,4 @@
-//! The stresses whose largest values are searched for.
+//! The stresses and strains whose largest values are searched for.
 use super::FieldPoint;
 
 /// A quantity whose largest value is searched for.
@@ -10,6 +10,8 @@ pub(super) enum Measure {
     VonMises,
     /// The larger principal stress in the plane.
     Tension,
+    /// The larger principal strain in the plane, times a modulus of the layer.
+    TensileStrain,
     /// The size of the shear stress on the lower face of a layer.
     FaceShear,
     /// The normal stress on the lower face of a layer.
@@ -26,6 +28,7 @@ impl Measure {
             Self::MaxShear => point.max_shear(),
             Self::VonMises => point.von_mises(),
             Self::Tension => point.tension(),
+            Self::TensileStrain => point.stiffness * point.tensile_strain(),
             Self::FaceShear => point.sigma_xy.abs(),
             Self::FaceTension => point.sigma_yy,
         }

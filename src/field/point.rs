@@ -1,4 +1,4 @@
-//! Stresses and displacements at a point, and what follows from them.
+//! Stresses, strains and displacements at a point, and what follows from them.
 use std::fmt;
 
 use recede_layers::Material;
@@ -33,7 +33,9 @@ impl Point {
     }
 }
 
-/// Stresses (positive in tension) and displacements at a point, in the units of the scene.
+/// Stresses (positive in tension), strains and displacements at a point, in the units of the scene.
+///
+/// Strains are the ones that the loads make, positive where the material is stretched: without eigenstrains, and counted from the stack under its own weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FieldPoint {
     /// Along the layers, from the centre of the contact.
@@ -58,8 +60,18 @@ pub struct FieldPoint {
     /// plane stress. NaN in a layer whose material does not give it, see
     /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane), or that has an eigenstrain and is not isotropic. In axisymmetric problems the stress about the axis, σ_θθ.
     pub sigma_zz: f64,
-    /// In axisymmetric problems the strains ε_rr, ε_θθ and ε_zz, positive where the material is stretched.
-    pub strains: Option<[f64; 3]>,
+    /// Strain along the layers, ε_xx, dimensionless; about an axis ε_rr.
+    pub eps_xx: f64,
+    /// Strain across the layers, ε_yy, dimensionless; about an axis ε_zz.
+    pub eps_yy: f64,
+    /// Strain out of the plane, dimensionless: 0 in plane strain; in plane stress −ν(σ_xx + σ_yy)/E of an isotropic material, and NaN of others; about an axis ε_θθ.
+    pub eps_zz: f64,
+    /// Angle of shear γ_xy = 2 ε_xy, dimensionless, with y upwards.
+    pub gamma_xy: f64,
+    /// Whether z is the direction about an axis.
+    pub(super) is_axisymmetric: bool,
+    /// The modulus by which strains are compared with stresses, the same in a whole layer.
+    pub(super) stiffness: f64,
 }
 
 impl FieldPoint {
@@ -72,7 +84,20 @@ impl FieldPoint {
     /// The largest tension: the larger principal stress in the plane or, in axisymmetric problems, that about the axis if it is larger.
     pub fn tension(&self) -> f64 {
         let [first, _] = self.principal();
-        if self.strains.is_some() { first.max(self.sigma_zz) } else { first }
+        if self.is_axisymmetric { first.max(self.sigma_zz) } else { first }
+    }
+
+    /// The principal strains in the plane, the larger one first.
+    pub fn principal_strains(&self) -> [f64; 2] {
+        let mean = 0.5 * (self.eps_xx + self.eps_yy);
+        let radius = 0.5 * (self.eps_xx - self.eps_yy).hypot(self.gamma_xy);
+        [mean + radius, mean - radius]
+    }
+
+    /// The largest strain: the larger principal one in the plane or, in axisymmetric problems, the one about the axis if it is larger.
+    pub fn tensile_strain(&self) -> f64 {
+        let [first, _] = self.principal_strains();
+        if self.is_axisymmetric { first.max(self.eps_zz) } else { first }
     }
 
     /// The largest shear stress in the plane, (σ₁ − σ₂)/2.
@@ -114,11 +139,23 @@ pub enum FieldQuantity {
     U,
     /// Displacement upwards.
     V,
+    /// Strain along the layers.
+    EpsXx,
+    /// Strain across the layers.
+    EpsYy,
+    /// Angle of shear, with y upwards.
+    GammaXy,
+    /// Strain out of the plane.
+    EpsZz,
+    /// The larger principal strain in the plane.
+    Eps1,
+    /// The smaller principal strain in the plane.
+    Eps2,
 }
 
 impl FieldQuantity {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 16] = [
         Self::SigmaXx,
         Self::SigmaYy,
         Self::SigmaXy,
@@ -129,6 +166,12 @@ impl FieldQuantity {
         Self::VonMises,
         Self::U,
         Self::V,
+        Self::EpsXx,
+        Self::EpsYy,
+        Self::GammaXy,
+        Self::EpsZz,
+        Self::Eps1,
+        Self::Eps2,
     ];
 
     const TABLE: [QuantityEntry; Self::ALL.len()] = [
@@ -142,7 +185,23 @@ impl FieldQuantity {
         (["von_mises"; 2], FieldPoint::von_mises),
         (["u", "u_r"], |point| point.u),
         (["v", "u_z"], |point| point.v),
+        (["eps_xx", "eps_rr"], |point| point.eps_xx),
+        (["eps_yy", "eps_zz"], |point| point.eps_yy),
+        (["gamma_xy", "gamma_rz"], |point| point.gamma_xy),
+        (["eps_zz", "eps_tt"], |point| point.eps_zz),
+        (["eps_1"; 2], |point| point.principal_strains()[0]),
+        (["eps_2"; 2], |point| point.principal_strains()[1]),
     ];
+
+    /// Whether it is a strain, which has no unit.
+    pub(crate) fn is_strain(self) -> bool {
+        self as usize > Self::V as usize
+    }
+
+    /// Whether it needs what a material may not tell of the direction out of the plane.
+    pub(crate) fn is_out_of_plane(self) -> bool {
+        matches!(self, Self::SigmaZz | Self::VonMises | Self::EpsZz)
+    }
 
     /// The name of the quantity, as in the columns of a CSV file.
     pub fn name(self) -> &'static str {
@@ -177,7 +236,7 @@ impl FieldQuantity {
     pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
         match (geometry, self) {
             // not −0
-            (Geometry::Axisymmetric, Self::SigmaXy | Self::V) => 0.0 - self.of(point),
+            (Geometry::Axisymmetric, Self::SigmaXy | Self::V | Self::GammaXy) => 0.0 - self.of(point),
             _ => self.of(point),
         }
     }
@@ -224,9 +283,9 @@ impl Field {
         if x < 0.0 && self.is_even {
             (sigma_xy, u, slope) = (-sigma_xy, -u, -slope);
         }
-        let strains = self.geometry.is_axisymmetric().then(|| strains(&material, x.abs(), &components));
+        let [eps_xx, eps_zz, eps_yy] = strains(&material, self.geometry, x.abs(), &components);
         let [sigma_xx, sigma_zz] = match self.geometry {
-            Geometry::Axisymmetric => around(&material, sigma_xx, strains.unwrap_or_default()),
+            Geometry::Axisymmetric => around(&material, sigma_xx, [eps_xx, eps_zz]),
             Geometry::PlaneStrain => {
                 let shares = material.out_of_plane;
                 [sigma_xx, shares.map_or(f64::NAN, |[along, across]| along * sigma_xx + across * sigma_yy)]
@@ -245,22 +304,37 @@ impl Field {
             sigma_yy: sigma_yy + residual[1],
             sigma_xy,
             sigma_zz: sigma_zz + residual[2],
-            strains,
+            eps_xx,
+            eps_yy,
+            eps_zz,
+            gamma_xy: material.shear_compliance * sigma_xy,
+            is_axisymmetric: self.geometry.is_axisymmetric(),
+            stiffness: placed.stiffness,
         }
     }
 }
 
-/// ε_rr, ε_θθ and ε_zz in an axisymmetric problem: the first component is the stress of plane strain with ε_rr + ε_θθ as the strain along
-/// the layers.
-fn strains(material: &Material, r: f64, [along, across, _, u, ..]: &Components) -> [f64; 3] {
+/// The strains along the layers, out of the plane, and across the layers. In an axisymmetric problem the first component is the stress of plane strain with ε_rr + ε_θθ as
+/// the strain along the layers.
+fn strains(material: &Material, geometry: Geometry, distance: f64, [along, across, _, u, ..]: &Components) -> [f64; 3] {
     let both = (along - material.coupling * across) / material.axial_stiffness;
-    let hoop = if r > 0.0 { u / r } else { 0.5 * both };
-    [both - hoop, hoop, material.normal_compliance * across - material.coupling * both]
+    let other = match geometry {
+        Geometry::Axisymmetric if distance > 0.0 => u / distance,
+        Geometry::Axisymmetric => 0.5 * both,
+        Geometry::PlaneStrain => 0.0,
+        // Poisson's ratio over Young's modulus
+        Geometry::PlaneStress if material.is_isotropic() => {
+            -material.coupling / material.axial_stiffness * (along + across)
+        }
+        Geometry::PlaneStress => f64::NAN,
+    };
+    let first = if geometry.is_axisymmetric() { both - other } else { both };
+    [first, other, material.normal_compliance * across - material.coupling * both]
 }
 
 /// The radial stress and that about the axis: they are less than the first component by 2Gε_θθ and 2Gε_rr, G being the modulus of shear along
 /// the layers; with ν along the layers 2G is the modulus of a stretched plate times 1 − ν.
-fn around(material: &Material, along: f64, [radial, hoop, _]: [f64; 3]) -> [f64; 2] {
+fn around(material: &Material, along: f64, [radial, hoop]: [f64; 2]) -> [f64; 2] {
     if along.is_infinite() {
         return [along; 2];
     }

@@ -94,7 +94,7 @@ fn known(value: f64, error: f64) -> f64 {
 }
 
 /// The largest error of a quantity at the sides of the grids, which are far from singular points: where bodies are free of stress it is all
-/// that is left. Displacements are as right as stresses, in parts of their largest.
+/// that is left. Displacements and strains are as right as stresses, in parts of their largest.
 fn error(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> f64 {
     let sides = grids.iter().flat_map(Grid::rows).filter_map(|row| row.last());
     let at = |side: &FieldPoint| Point { x: side.x, depth: side.depth, layer: Some(side.layer) };
@@ -106,6 +106,7 @@ fn error(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> f64 {
     };
     match quantity {
         FieldQuantity::U | FieldQuantity::V => error * largest(quantity) / largest(FieldQuantity::MaxShear).max(error),
+        _ if quantity.is_strain() => error * largest(quantity) / largest(FieldQuantity::MaxShear).max(error),
         _ => error,
     }
 }
@@ -122,7 +123,7 @@ fn rises(scene: &Scene, solution: &Solution, quantity: FieldQuantity) -> bool {
     match quantity {
         FieldQuantity::U | FieldQuantity::V => false,
         // under a tip, stresses along the face and across it are the same
-        FieldQuantity::SigmaXy | FieldQuantity::MaxShear => {
+        FieldQuantity::SigmaXy | FieldQuantity::MaxShear | FieldQuantity::GammaXy => {
             let punches = scene.top.punches();
             infinite && !punches.is_some_and(|all| all.parts().all(|(pressed, _)| has_no_corners(pressed.shape())))
         }

@@ -99,9 +99,13 @@ pub(super) fn of_quantity(quantity: FieldQuantity, geometry: Geometry) -> (Strin
         FieldQuantity::Sigma2 => format!("smaller principal stress {symbol}"),
         FieldQuantity::MaxShear => "largest shear stress".to_owned(),
         FieldQuantity::VonMises => "von Mises stress".to_owned(),
+        FieldQuantity::Eps1 => format!("larger principal strain {symbol}"),
+        FieldQuantity::Eps2 => format!("smaller principal strain {symbol}"),
+        FieldQuantity::GammaXy => format!("angle of shear {symbol}"),
+        _ if quantity.is_strain() => format!("strain {symbol}"),
         _ => format!("stress {symbol}"),
     };
-    (name, Dimension::STRESS)
+    (name, if quantity.is_strain() { Dimension::NUMBER } else { Dimension::STRESS })
 }
 
 /// The name of a column as a symbol with indices: `sigma_tt` as σ with the index θθ.
@@ -110,6 +114,8 @@ fn written(name: &str) -> String {
     let letter = match letter {
         "sigma" => "σ",
         "tau" => "τ",
+        "eps" => "ε",
+        "gamma" => "γ",
         other => other,
     };
     italic(letter) + &if indices.is_empty() { String::new() } else { subscript(&indices.replace('t', "θ")) }

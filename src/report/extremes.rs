@@ -1,4 +1,4 @@
-//! Stresses by which layers and bonds break: as JSON, as a table, and as columns of a sweep.
+//! Stresses and strains by which layers and bonds break: as JSON, as a table, and as columns of a sweep.
 use comfy_table::Table;
 use serde_json::{Value, json};
 
@@ -24,7 +24,7 @@ fn name(bond: &BondExtremes) -> String {
     format!("{}|{}", bond.above, bond.below)
 }
 
-/// A table with a line for each stress; `place` is what its place along the layers is called.
+/// A table with a line for each stress or strain; `place` is what its place along the layers is called.
 pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, stress]: [&str; 2]) -> Table {
     let mut table = ruled([("largest", ""), ("stress", stress), (&format!("at {place}"), length), ("depth", length)]);
     let mut add = |what: String, found: Option<Extreme>, none: &str| {
@@ -38,8 +38,9 @@ pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, s
     };
     let layer = |found: Option<Extreme>| found.map_or(String::new(), |found| format!(" (layer {})", found.layer));
     add(format!("tension{}", layer(extremes.tension)), extremes.tension, "none");
-    for LayerExtremes { layer, von_mises } in &extremes.layers {
+    for LayerExtremes { layer, von_mises, tensile_strain } in &extremes.layers {
         add(format!("layer {layer}: von Mises stress"), *von_mises, "not known");
+        add(format!("layer {layer}: tensile strain (no unit)"), *tensile_strain, "none");
     }
     for bond in &extremes.bonds {
         add(format!("{}: shear stress", name(bond)), bond.shear, "none");
@@ -64,8 +65,10 @@ pub(super) fn cells(scene: &Scene, extremes: Option<&Extremes>) -> Vec<(String, 
     add("tension".to_owned(), &PLACE, extremes.and_then(|extremes| extremes.tension), zero);
     for (number, has_bond) in layers(scene) {
         let layer = extremes.and_then(|extremes| extremes.layers.iter().find(|layer| layer.layer == number));
-        let von_mises = layer.and_then(|layer| layer.von_mises);
-        add(format!("layer_{number}_von_mises"), &PLACE[..3], von_mises, f64::NAN);
+        let [von_mises, strain] = [|own: &LayerExtremes| own.von_mises, |own: &LayerExtremes| own.tensile_strain];
+        add(format!("layer_{number}_von_mises"), &PLACE[..3], layer.and_then(von_mises), f64::NAN);
+        let zero = if layer.is_some() { 0.0 } else { f64::NAN };
+        add(format!("layer_{number}_tensile_strain"), &PLACE[..3], layer.and_then(strain), zero);
         if has_bond {
             let bond = extremes.and_then(|extremes| extremes.bonds.iter().find(|bond| bond.above == number));
             let zero = if bond.is_some() { 0.0 } else { f64::NAN };

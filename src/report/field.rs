@@ -1,4 +1,4 @@
-//! Stresses and displacements at points, one line or one object for each; and profiles along x.
+//! Stresses, strains and displacements at points, one line or one object for each; and profiles along x.
 use std::collections::BTreeMap;
 use std::io;
 
@@ -16,7 +16,7 @@ use crate::geometry::Geometry;
 use crate::profile::{ContactProfile, FaceProfiles};
 use crate::scene::{Dimension, Units};
 
-/// The stresses and displacements at points, by the names that they have in this geometry, after the places; stable, more may be added. What
+/// The stresses, displacements and strains at points, by the names that they have in this geometry, after the places; stable, more may be added. What
 /// is infinite, or not known, is infinite or NaN.
 pub fn field_columns(points: &[FieldPoint], geometry: Geometry) -> Vec<(String, Vec<f64>)> {
     let mut columns = Vec::new();
@@ -30,11 +30,6 @@ pub fn field_columns(points: &[FieldPoint], geometry: Geometry) -> Vec<(String, 
         add(quantity.name_in(geometry), &|point| quantity.of_in(point, geometry));
     }
     add("slope", &|point| point.slope);
-    if geometry.is_axisymmetric() {
-        for (k, name) in ["eps_rr", "eps_tt", "eps_zz"].into_iter().enumerate() {
-            add(name, &|point| point.strains.map_or(f64::NAN, |strains| strains[k]));
-        }
-    }
     columns
 }
 
@@ -49,7 +44,7 @@ impl Serialize for PointRow<'_> {
     }
 }
 
-/// Writes stresses and displacements at points: as a table without the stresses that follow from others, but with units, as one JSON object
+/// Writes stresses, displacements and strains at points: as two tables without the stresses that follow from others, but with units, as one JSON object
 /// `{"points": [...]}`, or as comma-separated values with one line for each point.
 ///
 /// ```
@@ -73,7 +68,10 @@ pub fn write_field(
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
     match format {
-        Format::Table => writeln!(out, "{}", table(points, geometry, units)),
+        Format::Table => {
+            writeln!(out, "{}", table(points, geometry, units))?;
+            writeln!(out, "{}", strains(points, geometry, units))
+        }
         Format::Json => {
             let columns = field_columns(points, geometry);
             let points: Vec<PointRow> = (0..points.len()).map(|k| PointRow(&columns, k)).collect();
@@ -87,6 +85,7 @@ pub fn write_field(
 /// Significant digits in a table.
 const SHOWN: Digits = Digits(Some(5));
 
+/// The stresses and displacements.
 fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
     let hoop = geometry.is_axisymmetric().then_some(FieldQuantity::SigmaZz);
     let stresses: Vec<FieldQuantity> = [FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::SigmaXy]
@@ -94,13 +93,28 @@ fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Ta
         .chain(hoop)
         .chain([FieldQuantity::MaxShear, FieldQuantity::VonMises])
         .collect();
+    let quantities: Vec<FieldQuantity> = stresses.into_iter().chain(DISPLACEMENTS).collect();
+    table_of(&quantities, points, geometry, units)
+}
+
+/// The strains.
+fn strains(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
+    let strains: Vec<FieldQuantity> = FieldQuantity::ALL.into_iter().filter(|own| own.is_strain()).collect();
+    table_of(&strains, points, geometry, units)
+}
+
+/// Some quantities behind the places of points.
+fn table_of(quantities: &[FieldQuantity], points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
     let [length, stress] = [Dimension::LENGTH, Dimension::STRESS].map(|dimension| Units::after(units, dimension));
+    let unit = |quantity: &FieldQuantity| match quantity {
+        quantity if quantity.is_strain() => "",
+        quantity if DISPLACEMENTS.contains(quantity) => &length[..],
+        _ => &stress,
+    };
     let place = [(geometry.words().along, &length[..]), ("depth", &length), (LAYER, "")].into_iter();
-    let stresses_in = stresses.iter().map(|quantity| (quantity.name_in(geometry), &stress[..]));
-    let displacements_in = DISPLACEMENTS.iter().map(|quantity| (quantity.name_in(geometry), &length[..]));
-    let mut table = ruled(place.chain(stresses_in).chain(displacements_in));
+    let mut table = ruled(place.chain(quantities.iter().map(|own| (own.name_in(geometry), unit(own)))));
     for point in points {
-        let numbers = stresses.iter().chain(&DISPLACEMENTS).map(|quantity| quantity.of_in(point, geometry));
+        let numbers = quantities.iter().map(|quantity| quantity.of_in(point, geometry));
         let place = [SHOWN.exact(point.x), SHOWN.exact(point.depth), point.layer.to_string()];
         let unknown = |number: f64| if number.is_nan() { "not known".to_owned() } else { SHOWN.exact(number) };
         table.add_row(place.into_iter().chain(numbers.map(unknown)));

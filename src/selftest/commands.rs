@@ -146,14 +146,17 @@ fn nowhere_larger(solution: &Solution, field: &Field, max_shear: f64, extremes: 
     for point in step("field", field.by_layer(&xs, &depths))?.iter().flat_map(|grid| grid.points()) {
         let FieldPoint { x, depth, layer, .. } = *point;
         let own = extremes.layers.iter().find(|of| of.layer == layer);
+        let strain = own.and_then(|of| of.tensile_strain).map_or(0.0, value);
+        let compression = point.principal_strains()[1].abs().max(strain);
         let all = [
-            ("shear stress", point.max_shear(), Some(max_shear)),
-            ("tension", point.principal()[0], Some(tension)),
-            ("von Mises stress", point.von_mises(), own.and_then(|of| of.von_mises).map(value)),
+            ("shear stress", point.max_shear(), Some(max_shear), max_shear),
+            ("tension", point.principal()[0], Some(tension), max_shear),
+            ("von Mises stress", point.von_mises(), own.and_then(|of| of.von_mises).map(value), max_shear),
+            ("tensile strain", point.tensile_strain(), Some(strain), compression),
         ];
-        for (what, here, largest) in all {
+        for (what, here, largest, size) in all {
             // tensions are small next to pressures, which tell how large errors are
-            let is_larger = |largest: &f64| here > largest * (1.0 + LARGER) + 1e-3 * LARGER * max_shear;
+            let is_larger = |largest: &f64| here > largest * (1.0 + LARGER) + 1e-3 * LARGER * size;
             if let Some(largest) = largest.filter(is_larger) {
                 let place = format!("x = {x:e}, depth {depth:e} in layer {layer}");
                 return Err(format!("{what} {here:e} at {place}, largest {largest:e}"));
@@ -172,7 +175,7 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
         for quantity in FieldQuantity::ALL {
             let value = quantity.of(point);
             // stresses out of the plane may be unknown
-            let unknown = value.is_nan() && matches!(quantity, FieldQuantity::SigmaZz | FieldQuantity::VonMises);
+            let unknown = value.is_nan() && quantity.is_out_of_plane();
             // under a line load and a tip pressures are infinite, and a half-plane sinks without end under a line load
             let infinite = top.pressure(point.x).is_infinite() && point.depth == 0.0;
             let sinks = quantity == FieldQuantity::V && top.pressure(0.0).is_infinite();
