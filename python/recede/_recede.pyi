@@ -438,7 +438,12 @@ class Rows:
     """The rows of a sweep."""
 
     def __new__(
-        cls, scene: Scene, axes: list[tuple[str, list[float]]], tolerance: float, approach: bool, extremes: bool
+        cls,
+        scene: Scene,
+        axes: list[tuple[str, list[float]]],
+        in_step: bool,
+        tolerance: float,
+        wanted: tuple[bool, bool],
     ) -> Rows: ...
     def __len__(self) -> int: ...
     @property

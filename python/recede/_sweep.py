@@ -19,8 +19,9 @@ LEAST = 50
 
 def sweep(
     scene: Scene,
-    vary: Mapping[str, Iterable[float]],
+    vary: Mapping[str, Iterable[float]] | None = None,
     *,
+    rows: Any = None,
     approach: bool = False,
     extremes: bool = False,
     tolerance: float = 1e-10,
@@ -28,11 +29,12 @@ def sweep(
     executor: Any = None,
     chunk: int | None = None,
 ) -> Columns:
-    """Solves a scene for all combinations of some values of its numbers; those given last change first.
+    """Solves a scene for all combinations of some values of its numbers, those given last changing first; or for each row of a table of values.
 
     Args:
         scene: the scene.
         vary: values by path, such as `{"force": numpy.linspace(1, 10, 10), "layer[1].thickness": [1, 2]}`; `scene.paths` lists paths.
+        rows: in place of `vary` a table, each row of which is solved: a data frame, or anything else with columns by path.
         approach: adds the approach of the punch (length) and the stiffness.
         extremes: adds the stresses by which layers and bonds break.
         tolerance: relative error to aim at, 1e-13 to 1e-2.
@@ -45,22 +47,27 @@ def sweep(
         A table with the columns that `recede sweep` writes. A row without solution says why in the column `message`.
 
     Raises:
-        InputError: if there is no number at a path, or a value is not legal for it.
+        InputError: if there is no number at a path, a value is not legal for it, or columns of `rows` differ in length.
+        ValueError: if neither `vary` nor `rows` is given, or both are.
         Interrupted: if interrupted from the keyboard; its `table` has the rows that were complete.
     """
     if not isinstance(scene, Scene):
         raise TypeError(f"a sweep is one of a `Scene`, not of {scene!r}")
-    if not vary:
+    in_step = rows is not None
+    if in_step and vary:
+        raise ValueError("either `vary` or `rows`, not both")
+    columns = {str(path): rows[path] for path in getattr(rows, "columns", rows)} if in_step else vary
+    if not columns:
         raise ValueError(f"nothing varies; what can vary in this scene: {', '.join(scene.paths)}")
-    axes = [(path, line(list(values), path).tolist()) for path, values in vary.items()]
-    rows = Rows(scene, axes, tolerance, approach, extremes)
+    axes = [(path, line(list(values), path).tolist()) for path, values in columns.items()]
+    rows = Rows(scene, axes, in_step, tolerance, (approach, extremes))
     metadata = {"scene": scene.to_ron(), "version": __version__, "tolerance": repr(tolerance)}
     if executor is None:
         table, complete = _part(rows, metadata, threads or os.cpu_count() or 1)
         if not complete:
             raise Interrupted(f"interrupted after {table.rows} of {len(rows)} rows", table)
         return table
-    what = (metadata["scene"], axes, tolerance, approach, extremes)
+    what = (metadata["scene"], axes, in_step, tolerance, (approach, extremes))
     size = chunk or max(LEAST, -(-len(rows) // (TASKS * (os.cpu_count() or 1))))
     return _by_executor(executor, what, rows, metadata, size, threads or 1)
 
@@ -77,8 +84,8 @@ def _table(rows: Rows, metadata: Mapping[str, str], columns: list[Any]) -> Colum
 
 def _task(what: tuple[Any, ...], first: int, last: int, threads: int) -> list[Any]:
     """Some rows of a sweep in another process: the columns alone, since what they are called is known."""
-    text, axes, tolerance, approach, extremes = what
-    rows = Rows(Scene.from_ron(text), axes, tolerance, approach, extremes)
+    text, *others = what
+    rows = Rows(Scene.from_ron(text), *others)
     numbers, texts, complete = rows.run(first, last, threads)
     if not complete:
         raise KeyboardInterrupt

@@ -29,14 +29,16 @@ impl Rows {
         py: Python<'_>,
         scene: &Bound<'_, Scene>,
         axes: Vec<(String, Vec<f64>)>,
+        in_step: bool,
         tolerance: f64,
-        approach: bool,
-        extremes: bool,
+        wanted: (bool, bool),
     ) -> PyResult<Self> {
+        let (approach, extremes) = wanted;
         let axes: Result<Vec<Axis>, _> = axes.into_iter().map(|(path, values)| Axis::list(&path, values)).collect();
         let axes = axes.map_err(|error| raised(py, error))?;
         let options = Options { tolerance };
-        let sweep = Sweep::new(scene.get().inner.clone(), axes).and_then(|sweep| sweep.with_options(options));
+        let made = if in_step { Sweep::of_rows } else { Sweep::new };
+        let sweep = made(scene.get().inner.clone(), axes).and_then(|sweep| sweep.with_options(options));
         let sweep = sweep.map_err(|error| raised(py, error))?;
         let sweep = if approach { sweep.with_approach() } else { sweep };
         Ok(Self { sweep: Arc::new(if extremes { sweep.with_extremes() } else { sweep }) })

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use recede::{Axis, Error, MAX_BYTES, Options, Registry, Scene, Sweep};
 
-use super::Failure;
+use super::{Failure, Settings};
 
 /// The scene and the axes of a sweep, and its options, by which it is told from others.
 #[derive(Debug, clap::Args)]
@@ -16,11 +16,16 @@ pub(super) struct GridArguments {
     /// What varies: PATH=START:STOP:COUNT, PATH=START:STOP:COUNT:log or PATH=[v,v,...]
     #[arg(long, value_name = "PATH=VALUES")]
     vary: Vec<Axis>,
+    /// Solve each row of this table rather than a grid: comma-separated values, with the paths of quantities as the first line
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "vary")]
+    pub(super) rows: Option<PathBuf>,
+    #[command(flatten)]
+    settings: Settings,
     /// Add columns with the approach of the punch and the stiffness: how far it sinks, dP/d(approach)
     #[arg(long)]
     approach: bool,
-    /// Add columns with the stresses by which layers and bonds break: tension, von Mises stress of each layer, shear stress and tension
-    /// across each interface that does not open
+    /// Add columns with the stresses and strains by which layers and bonds break: tension, von Mises stress and tensile strain of each layer, shear stress and
+    /// tension across each interface that does not open
     #[arg(long)]
     extremes: bool,
     /// Relative error to aim at, from 1e-13 to 1e-2 [default: 1e-10]
@@ -35,17 +40,27 @@ impl GridArguments {
         let name = if self.file == Path::new("-") { Path::new("stdin") } else { &self.file };
         let text = self.text().map_err(|cause| Failure::file(&self.file, cause))?;
         let sweep = if std::str::from_utf8(&text).is_ok_and(Sweep::begins) {
+            if self.rows.is_some() || !self.settings.all.is_empty() {
+                return Err(Failure::usage(
+                    format!("{} is a sweep, and --rows and --set are for scenes", self.file.display()),
+                    "name the scene itself, or write its values there",
+                ));
+            }
             Sweep::from_reader(name, &text[..], &registry)?.and_vary(self.vary.clone())?
         } else {
             let scene = Scene::from_reader(&name.display().to_string(), &text[..], &registry).map_err(Error::from)?;
-            if self.vary.is_empty() {
-                let paths = scene.paths().join(", ");
-                return Err(Failure::usage(
-                    "nothing varies: --vary PATH=START:STOP:COUNT is missing",
-                    format!("what can vary in this scene: {paths}"),
-                ));
+            let scene = self.settings.made(scene)?;
+            match &self.rows {
+                Some(rows) => Sweep::of_rows(scene, columns(rows)?)?,
+                None if self.vary.is_empty() => {
+                    let paths = scene.paths().join(", ");
+                    return Err(Failure::usage(
+                        "nothing varies: --vary PATH=START:STOP:COUNT, or --rows FILE.csv, is missing",
+                        format!("what can vary in this scene: {paths}"),
+                    ));
+                }
+                None => Sweep::new(scene, self.vary.clone())?,
             }
-            Sweep::new(scene, self.vary.clone())?
         };
         let tolerance = self.tolerance.unwrap_or(sweep.options().tolerance);
         let sweep = sweep.with_options(Options { tolerance })?;
@@ -55,7 +70,7 @@ impl GridArguments {
 
     /// The files that are read: the one that was named, and the scene of a sweep in a file of its own.
     pub(super) fn files<'a>(&'a self, sweep: &'a Sweep) -> Vec<&'a Path> {
-        [&*self.file].into_iter().chain(sweep.scene().file().map(Path::new)).collect()
+        [&*self.file].into_iter().chain(self.rows.as_deref()).chain(sweep.scene().file().map(Path::new)).collect()
     }
 
     /// The bytes of the file, at most as many as a scene may have.
@@ -66,4 +81,31 @@ impl GridArguments {
         file.take(MAX_BYTES as u64 + 1).read_to_end(&mut text)?;
         Ok(text)
     }
+}
+
+/// The columns of a table, each as an axis; its first line has their paths.
+fn columns(file: &Path) -> Result<Vec<Axis>, Failure> {
+    let hint =
+        "the first line has paths such as force,layer[1].thickness, and each other line a number for each of them";
+    let wrong = |message: String| Failure::usage(format!("{}: {message}", file.display()), hint);
+    let unread = |cause: csv::Error| wrong(cause.to_string());
+    let open = File::open(file).map_err(|cause| Failure::file(file, cause))?;
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(open);
+    let paths: Vec<String> = reader.headers().map_err(unread)?.iter().map(str::to_owned).collect();
+    let mut columns = vec![Vec::new(); paths.len()];
+    for record in reader.records() {
+        let record = record.map_err(unread)?;
+        let line = record.position().map_or(0, csv::Position::line);
+        for ((field, path), column) in record.iter().zip(&paths).zip(&mut columns) {
+            let value = field
+                .parse()
+                .map_err(|_| wrong(format!("found `{field}` as {path} in line {line}, a number is expected")))?;
+            column.push(value);
+        }
+    }
+    if columns.iter().all(Vec::is_empty) {
+        return Err(wrong("there are no rows".to_owned()));
+    }
+    let axis = |(path, values): (&String, Vec<f64>)| Ok(Axis::list(path, values).map_err(Error::from)?);
+    paths.iter().zip(columns).map(axis).collect()
 }

@@ -163,6 +163,30 @@ struct SceneFile {
     /// Scene in RON or JSON; `-` reads standard input
     #[arg(value_name = "SCENE.ron")]
     scene: PathBuf,
+    #[command(flatten)]
+    settings: Settings,
+}
+
+/// Other values of some quantities of a scene.
+#[derive(Debug, clap::Args)]
+struct Settings {
+    /// Give a quantity of the scene another value: `force=0.01`, `layer[2].beta=-1`; may be repeated
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = setting)]
+    all: Vec<(String, f64)>,
+}
+
+impl Settings {
+    /// The scene with these values.
+    fn made(&self, scene: Scene) -> Result<Scene, Error> {
+        Ok(self.all.iter().try_fold(scene, |scene, (path, value)| scene.with(path, *value))?)
+    }
+}
+
+/// Reads PATH=VALUE.
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let wrong = || format!("PATH=VALUE is expected, such as force=0.01, found `{text}`");
+    let (path, value) = text.split_once('=').ok_or_else(wrong)?;
+    Ok((path.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
 }
 
 impl SceneFile {
@@ -173,11 +197,12 @@ impl SceneFile {
     }
 
     fn read(&self) -> Result<Scene, Error> {
-        Ok(if self.scene == Path::new("-") {
+        let scene = if self.scene == Path::new("-") {
             Scene::from_reader("stdin", io::stdin().lock(), &Registry::default())?
         } else {
             Scene::read(&self.scene)?
-        })
+        };
+        self.settings.made(scene)
     }
 }
 

@@ -17,6 +17,7 @@ Examples:
   recede solve scene.ron --format json --fields
   recede solve scene.ron --out result.json
   recede solve scene.ron --digits 4
+  recede solve scene.ron --set force=0.01 --set layer[1].thickness=2
   recede solve scene.ron --extremes
   recede solve scene.ron --stats
   recede solve - --format csv < scene.ron")]

@@ -29,6 +29,8 @@ Examples:
   recede sweep scene.ron --vary layer[2].beta=-3:1:41 --plot beta.svg
   recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
   recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
+  recede sweep scene.ron --rows samples.csv --out results.csv
+  recede sweep scene.ron --set layer[1].thickness=2 --vary force=1:10:10
   recede sweep sweep.ron --out grid.csv --resume
   recede sweep sweep.ron --part 17/400 --out part_17.csv
 
@@ -63,6 +65,12 @@ impl SweepArguments {
                     "--plot cannot be used with --part: a picture of part {part} would show some of the rows as if they were all"
                 ),
                 "leave out --plot; once `recede merge` has put the parts together, the sweep with --resume and --plot draws the merged file",
+            ));
+        }
+        if self.grid.rows.is_some() && self.plot.is_some() {
+            return Err(Failure::usage(
+                "--plot cannot be used with --rows: pictures are drawn of grids",
+                "leave out --plot, or make a grid by --vary",
             ));
         }
         // that a picture cannot be written is better known before than after

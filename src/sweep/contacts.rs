@@ -56,9 +56,11 @@ impl Sweep {
             StackProblem::TooManyLayers(_) | StackProblem::TooManyReceding(_) => {
                 choices.iter().all(|choice| choice.there.is_none() || choice.missing.is_none())
             }
-            StackProblem::TooThick | StackProblem::Contrast { .. } => {
-                self.values_of(|owner| matches!(owner, Owner::Item(_))) == 1
-            }
+            StackProblem::TooThick | StackProblem::Contrast { .. } => !self
+                .slots
+                .iter()
+                .zip(&self.axes)
+                .any(|(slot, axis)| matches!(slot.owner, Owner::Item(_)) && axis.count() > 1),
             _ => true,
         };
         if only { Err(error.into()) } else { Ok(()) }

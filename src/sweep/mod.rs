@@ -35,7 +35,8 @@ use crate::solution::{Interface, Solution};
 /// Most rows of a sweep.
 const MOST_ROWS: usize = 1_000_000_000;
 
-/// A scene and the axes of a grid: every combination of values is solved, the value of the last axis changing first.
+/// A scene and the axes of a grid: every combination of values is solved, the value of the last axis changing first. Or a scene and [rows of values](Sweep::of_rows), each of which is
+/// solved.
 ///
 /// A stack is evaluated once, when the first row needs it, however many loads and punches press on it. The numbers of a row
 /// depend on the grid alone, not on who computes them, how many at a time, or where one begins; and of the grid
@@ -59,6 +60,8 @@ const MOST_ROWS: usize = 1_000_000_000;
 pub struct Sweep {
     scene: Scene,
     axes: Vec<Axis>,
+    /// Whether all axes change together from row to row, rather than make a grid.
+    in_step: bool,
     slots: Vec<Slot>,
     options: Options,
     approach: bool,
@@ -104,6 +107,27 @@ impl Sweep {
     /// axis are its smallest and its largest value, and the one nearest to zero: where a user-defined layer type
     /// refuses others only, it does so in rows without solution.
     pub fn new(scene: Scene, axes: Vec<Axis>) -> Result<Self, Error> {
+        Self::of(scene, axes, false)
+    }
+
+    /// A sweep of a scene read from a text, one row for the first value of all axes, one for the second of all, and so on: for samples, and for designs of
+    /// experiments.
+    ///
+    /// ```
+    /// use recede::{Scene, Sweep};
+    /// let scene = Scene::read("examples/scenes/hertz.ron")?;
+    /// let sweep = Sweep::of_rows(scene, vec!["force=[0.001, 0.003]".parse()?, "punch.radius=[250, 400]".parse()?])?;
+    /// assert_eq!((sweep.len(), sweep.values(1)), (2, vec![0.003, 400.0]));
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Sweep::new`], and [`Error::Axis`] if an axis has more or fewer values than the first one.
+    pub fn of_rows(scene: Scene, axes: Vec<Axis>) -> Result<Self, Error> {
+        Self::of(scene, axes, true)
+    }
+
+    fn of(scene: Scene, axes: Vec<Axis>, in_step: bool) -> Result<Self, Error> {
         let mut slots = Vec::with_capacity(axes.len());
         for (i, axis) in axes.iter().enumerate() {
             if axes[..i].iter().any(|earlier| earlier.path() == axis.path()) {
@@ -111,16 +135,21 @@ impl Sweep {
             }
             let slot = scene.slot(axis.path())?;
             axis.extremes().into_iter().try_for_each(|value| legal(&scene, axis, &slot, value))?;
+            if in_step && axis.count() != axes[0].count() {
+                let reason = format!("found {} values, {} has {}", axis.count(), axes[0].path(), axes[0].count());
+                return Err(AxisError::new(axis.path(), reason).into());
+            }
             slots.push(slot);
         }
-        let product = axes.iter().try_fold(1usize, |rows, axis| rows.checked_mul(axis.count()));
+        let axes_of_grid = if in_step { &axes[..axes.len().min(1)] } else { &axes[..] };
+        let product = axes_of_grid.iter().try_fold(1usize, |rows, axis| rows.checked_mul(axis.count()));
         let Some(rows) = product.filter(|rows| *rows <= MOST_ROWS) else {
             let reason = format!("the grid has more than {MOST_ROWS} points with this axis");
             return Err(AxisError::new(axes.last().map_or("", Axis::path), reason).into());
         };
         let (options, models) = (Options::default(), Kept::new(Model::stored_numbers));
         let (approach, extremes, interfaces) = (false, false, Vec::new());
-        let mut sweep = Self { scene, axes, slots, options, approach, extremes, rows, interfaces, models };
+        let mut sweep = Self { scene, axes, in_step, slots, options, approach, extremes, rows, interfaces, models };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }
@@ -194,9 +223,9 @@ impl Sweep {
     /// # Errors
     /// As [`Sweep::new`].
     pub fn and_vary(self, axes: Vec<Axis>) -> Result<Self, Error> {
-        let Self { scene, axes: mut all, options, approach, extremes, .. } = self;
+        let Self { scene, axes: mut all, in_step, options, approach, extremes, .. } = self;
         all.extend(axes);
-        let sweep = Self::new(scene, all)?.with_options(options)?;
+        let sweep = Self::of(scene, all, in_step)?.with_options(options)?;
         Ok(Self { approach, extremes, ..sweep })
     }
 
@@ -238,6 +267,9 @@ impl Sweep {
 
     /// The values of row `index` on each axis.
     pub fn values(&self, index: usize) -> Vec<f64> {
+        if self.in_step {
+            return self.axes.iter().map(|axis| axis.at(index)).collect();
+        }
         let mut rest = index;
         let digit = |axis: &Axis| {
             let value = axis.at(rest % axis.count());
@@ -249,8 +281,7 @@ impl Sweep {
         values
     }
 
-    /// The number of the row with these values, the same bit by bit; `None` if there is no such row, or several because an axis
-    /// has a value twice.
+    /// The number of the row with these values, the same bit by bit; `None` if there is no such row, or several.
     ///
     /// ```
     /// use recede::{Scene, Sweep};
@@ -263,6 +294,12 @@ impl Sweep {
     pub fn index_of(&self, values: &[f64]) -> Option<usize> {
         if values.len() != self.axes.len() {
             return None;
+        }
+        if self.in_step {
+            let is_same = |(axis, value): (&Axis, &f64), row: usize| axis.at(row).to_bits() == value.to_bits();
+            let has_all = |row: &usize| self.axes.iter().zip(values).all(|pair| is_same(pair, *row));
+            let mut rows = (0..self.rows).filter(has_all);
+            return rows.next().filter(|_| rows.next().is_none());
         }
         let mut axes = self.axes.iter().zip(values);
         axes.try_fold(0, |index, (axis, value)| Some(index * axis.count() + axis.index_of(*value)?))
@@ -323,14 +360,17 @@ impl Sweep {
             }
         }
         hasher.write(&self.options.tolerance.to_bits().to_le_bytes());
-        hasher.write(&[u8::from(self.approach), u8::from(self.extremes)]);
+        hasher.write(&[u8::from(self.approach), u8::from(self.extremes), u8::from(self.in_step)]);
         hasher.write(env!("CARGO_PKG_VERSION").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
         hasher.finish()
     }
 
-    /// How many different values all quantities of some parts of a scene have together.
+    /// How many combinations of values some parts of a scene have, at most, with each combination of the others.
     fn values_of(&self, wanted: impl Fn(Owner) -> bool) -> usize {
+        if self.in_step {
+            return if self.slots.iter().all(|slot| wanted(slot.owner)) { self.rows } else { 1 };
+        }
         let axes = self.axes.iter().zip(&self.slots).filter(|(_, slot)| wanted(slot.owner));
         axes.map(|(axis, _)| axis.count()).product()
     }
