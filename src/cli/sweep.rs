@@ -59,22 +59,7 @@ pub struct SweepArguments {
 
 impl SweepArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
-        if let (Some(part), Some(_)) = (self.part, &self.plot) {
-            return Err(Failure::usage(
-                format!(
-                    "--plot cannot be used with --part: a picture of part {part} would show some of the rows as if they were all"
-                ),
-                "leave out --plot; once `recede merge` has put the parts together, the sweep with --resume and --plot draws the merged file",
-            ));
-        }
-        if self.grid.rows.is_some() && self.plot.is_some() {
-            return Err(Failure::usage(
-                "--plot cannot be used with --rows: pictures are drawn of grids",
-                "leave out --plot, or make a grid by --vary",
-            ));
-        }
-        // that a picture cannot be written is better known before than after
-        self.plot.as_deref().map(Kind::of).transpose()?;
+        self.check_picture()?;
         let is_parquet = self.out.as_deref().map_or(Ok(false), rows_file::is_parquet)?;
         // a Parquet file is none before it is complete: rows are kept as lines until then
         let lines = self.out.as_ref().map(|out| if is_parquet { lines_of(out) } else { out.clone() });
@@ -122,6 +107,27 @@ impl SweepArguments {
             let picture = plot::sweep(&sweep, &rows)?;
             plot::save(file, &self.title.above(picture, sweep.scene()))?;
         }
+        Ok(())
+    }
+
+    /// Whether the picture, if there is to be one, can be drawn.
+    fn check_picture(&self) -> Result<(), Failure> {
+        if let (Some(part), Some(_)) = (self.part, &self.plot) {
+            return Err(Failure::usage(
+                format!(
+                    "--plot cannot be used with --part: a picture of part {part} would show some of the rows as if they were all"
+                ),
+                "leave out --plot; once `recede merge` has put the parts together, the sweep with --resume and --plot draws the merged file",
+            ));
+        }
+        if self.grid.rows.is_some() && self.plot.is_some() {
+            return Err(Failure::usage(
+                "--plot cannot be used with --rows: pictures are drawn of grids",
+                "leave out --plot, or make a grid by --vary",
+            ));
+        }
+        // that a picture cannot be written is better known before than after
+        self.plot.as_deref().map(Kind::of).transpose()?;
         Ok(())
     }
 
