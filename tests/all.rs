@@ -67,6 +67,7 @@ mod rings;
 mod rival;
 mod round;
 mod round_reports;
+mod settings;
 mod singular;
 mod singular_extremes;
 mod skips;

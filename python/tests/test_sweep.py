@@ -174,3 +174,19 @@ def test_several_threads_may_sweep_at_once(scene, swept):
     for thread in threads:
         thread.join()
     assert found == [swept] * 3
+
+
+def test_each_row_of_a_table_is_a_scene(scene):
+    pandas = pytest.importorskip("pandas")
+    rows = {"force": [1e-3, 2e-3, 1e-3], "layer[1].thickness": [0.5, 0.25, 1.0]}
+    swept = recede.sweep(scene, rows=rows)
+    assert swept.rows == 3 and swept.solved.all()
+    assert swept == recede.sweep(scene, rows=pandas.DataFrame(rows))
+    one = scene.with_number("force", 2e-3).with_number("layer[1].thickness", 0.25).solve()
+    assert swept["contact_1_2_half_length"][1] == one.contacts[1].half_length
+    with ThreadPoolExecutor(2) as threads:
+        assert recede.sweep(scene, rows=rows, executor=threads, chunk=2) == swept
+    with pytest.raises(ValueError, match="either `vary` or `rows`, not both"):
+        recede.sweep(scene, {"force": [1.0]}, rows=rows)
+    with pytest.raises(recede.InputError, match="found 2 values, force has 3"):
+        recede.sweep(scene, rows={"force": [1e-3, 2e-3, 3e-3], "layer[1].thickness": [1.0, 2.0]})

@@ -1,0 +1,83 @@
+//! Other values for a scene on the command line, and sweeps over the rows of a table.
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::support::recede;
+use recede::report::SweepCsv;
+use recede::{Axis, Scene, Sweep};
+
+const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
+
+fn table(name: &str, text: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("settings");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join(name), text).unwrap();
+    folder.join(name)
+}
+
+#[test]
+fn a_scene_with_other_values_is_solved_as_if_they_were_written() {
+    let set = ["--set", "force=0.004", "--set", "layer[2].beta=-0.5"];
+    let text = fs::read_to_string(SCENE).unwrap();
+    let scene = Scene::from_ron(&text).unwrap().with("force", 0.004).unwrap().with("layer[2].beta", -0.5).unwrap();
+    for (command, options) in [("solve", &["--format", "csv"][..]), ("convert", &["--to", "ron"]), ("check", &[])] {
+        let run = recede(&[&[command, SCENE], options, &set].concat(), b"");
+        let other = recede(&[&[command, "-"], options].concat(), scene.to_ron().as_bytes());
+        assert_eq!((run.status, run.stdout), (Some(0), other.stdout), "{command} {}", run.stderr);
+    }
+    let refused = |set: &str, message: &str| {
+        let run = recede(&["solve", SCENE, "--set", set], b"");
+        assert!(run.status == Some(2) && run.stderr.contains(message), "{}", run.stderr);
+    };
+    refused("layer[2].bet=1", "did you mean `layer[2].beta`?");
+    refused("layer[1].poisson=0.7", "found 0.7, allowed is -1 < poisson <= 0.5");
+    refused("force=much", "PATH=VALUE is expected, such as force=0.01, found `force=much`");
+    let sweep = recede(&["sweep", SCENE, "--set", "layer[2].beta=-0.5", "--vary", "force=[0.004]"], b"");
+    let expected = recede::solve(&scene).unwrap().contacts()[0].half_length().unwrap().to_string();
+    assert!(sweep.stdout.contains(&expected), "{}", sweep.stdout);
+}
+
+#[test]
+fn each_row_of_a_table_is_a_scene() {
+    let text = "# samples\nforce, layer[1].thickness ,layer[2].beta\n0.001,0.5,-1\n0.002,0.25,0.5\n0.001,0.5,2\n";
+    let rows = table("samples.csv", text);
+    let run = recede(&["sweep", SCENE, "--rows", rows.to_str().unwrap()], b"");
+    assert_eq!((run.status, &run.stderr[..]), (Some(0), ""));
+    let axes = ["force=[0.001,0.002,0.001]", "layer[1].thickness=[0.5,0.25,0.5]", "layer[2].beta=[-1,0.5,2]"];
+    let axes: Vec<Axis> = axes.iter().map(|axis| axis.parse().unwrap()).collect();
+    let sweep = Sweep::of_rows(Scene::read(SCENE).unwrap(), axes.clone()).unwrap();
+    let csv = SweepCsv::new(&sweep);
+    let lines: Vec<String> = sweep.rows().map(|row| csv.line(&row).unwrap()).collect();
+    assert_eq!(run.stdout, csv.header().unwrap() + &lines.concat());
+    for row in sweep.rows() {
+        assert_eq!(csv.row_of(&lines[row.index]), Some(row.index));
+        let [force, thickness, beta] = row.values[..] else { panic!("{row:?}") };
+        let scene = Scene::read(SCENE).unwrap().with("force", force).unwrap().with("layer[1].thickness", thickness);
+        let scene = scene.unwrap().with("layer[2].beta", beta).unwrap();
+        assert_eq!(row.result.unwrap(), recede::solve(&scene).unwrap());
+    }
+    assert_eq!(sweep.index_of(&[0.001, 0.5, 0.5]), None);
+    // a grid of the same axes is another sweep
+    assert_ne!(sweep.fingerprint(), Sweep::new(Scene::read(SCENE).unwrap(), axes).unwrap().fingerprint());
+}
+
+#[test]
+fn tables_that_make_no_scenes_are_refused() {
+    let refused = |text: &str, options: &[&str], message: &str| {
+        let rows = table("wrong.csv", text);
+        let run = recede(&[&["sweep", SCENE, "--rows", rows.to_str().unwrap()], options].concat(), b"");
+        assert!((run.status, &run.stdout[..]) == (Some(2), "") && run.stderr.contains(message), "{}", run.stderr);
+    };
+    refused("force\n0.001\nmuch\n", &[], "wrong.csv: found `much` as force in line 3, a number is expected");
+    refused("force,layer[2].beta\n0.001\n", &[], "wrong.csv: ");
+    refused("force\n", &[], "wrong.csv: there are no rows");
+    refused("forc\n1\n", &[], "did you mean `force`?");
+    refused("layer[1].poisson\n0.7\n", &[], "found 0.7");
+    refused("force\n0.001\n", &["--vary", "layer[2].beta=[1]"], "cannot be used with");
+    refused("force\n0.001\n", &["--plot", "rows.svg"], "--plot cannot be used with --rows");
+    let missing = recede(&["sweep", SCENE, "--rows", "nowhere.csv"], b"");
+    assert!(missing.status == Some(2) && missing.stderr.contains("nowhere.csv"), "{}", missing.stderr);
+    let axes = ["force=[0.001,0.002]", "layer[2].beta=[1]"].map(|axis| axis.parse().unwrap());
+    let error = Sweep::of_rows(Scene::read(SCENE).unwrap(), axes.to_vec()).unwrap_err().to_string();
+    assert!(error.contains("found 1 values, force has 2"), "{error}");
+}
