@@ -122,7 +122,7 @@ pub use stack::{
 };
 #[cfg(feature = "parallel")]
 pub use sweep::ParallelRows;
-pub use sweep::{Part, PartError, Row as SweepRow, Sweep, SweepPoint};
+pub use sweep::{Part, PartError, Probe, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved, WrongCount};
 pub use system::{
     Block, BlockSystem, Blocks, Column, Component, Face, InterfaceSide, Place, Pressure, Quantity, Relation, Row, Term,

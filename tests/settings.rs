@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::support::recede;
 use recede::report::SweepCsv;
-use recede::{Axis, Scene, Sweep};
+use recede::{Axis, Model, Scene, Sweep};
 
 const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
 
@@ -59,6 +59,38 @@ fn each_row_of_a_table_is_a_scene() {
     assert_eq!(sweep.index_of(&[0.001, 0.5, 0.5]), None);
     // a grid of the same axes is another sweep
     assert_ne!(sweep.fingerprint(), Sweep::new(Scene::read(SCENE).unwrap(), axes).unwrap().fingerprint());
+}
+
+#[test]
+fn columns_have_what_fields_have_at_points() {
+    let at = ["0,0=sigma_yy", "0.3,0.5@2=eps_1", "-0.3,2=u"];
+    let options: Vec<&str> = at.iter().flat_map(|at| ["--at", at]).collect();
+    let run = recede(&[&["sweep", SCENE, "--vary", "force=[0.001,0.002]"], &options[..]].concat(), b"");
+    let lines: Vec<Vec<&str>> = run.stdout.lines().map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| lines[0].iter().position(|own| *own == name).unwrap_or_else(|| panic!("{name}: {run:?}"));
+    for (line, force) in lines[1..].iter().zip([0.001, 0.002]) {
+        let scene = Scene::read(SCENE).unwrap().with("force", force).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        let field = model.field(&solution).unwrap();
+        let expected = [
+            ("sigma_yy_at_0_0", field.at(0.0, 0.0).unwrap().sigma_yy),
+            ("eps_1_at_0.3_0.5_in_2", field.at_layer(0.3, 0.5, 2).unwrap().principal_strains()[0]),
+            ("u_at_-0.3_2", field.at(-0.3, 2.0).unwrap().u),
+        ];
+        for (name, expected) in expected {
+            let found: f64 = line[column(name)].parse().unwrap();
+            assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} {expected}");
+        }
+    }
+    // a point that is in no layer leaves its column empty, and says so
+    let outside = recede(&["sweep", SCENE, "--vary", "layer[1].thickness=[0.5]", "--at", "0,9@1=u"], b"");
+    assert!(outside.stdout.contains("quantities at points were not found: "), "{}", outside.stdout);
+    for (at, message) in [("0,0=eps_rr", "there is no eps_rr in this geometry; there are"), ("0=u", "expected X,DEPTH")]
+    {
+        let refused = recede(&["sweep", SCENE, "--vary", "force=[0.001]", "--at", at], b"");
+        assert!(refused.status == Some(2) && refused.stderr.contains(message), "{}", refused.stderr);
+    }
 }
 
 #[test]

@@ -443,7 +443,7 @@ class Rows:
         axes: list[tuple[str, list[float]]],
         in_step: bool,
         tolerance: float,
-        wanted: tuple[bool, bool],
+        wanted: tuple[bool, bool, list[str]],
     ) -> Rows: ...
     def __len__(self) -> int: ...
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ._arrays import line
@@ -24,6 +24,7 @@ def sweep(
     rows: Any = None,
     approach: bool = False,
     extremes: bool = False,
+    at: Sequence[str] = (),
     tolerance: float = 1e-10,
     threads: int | None = None,
     executor: Any = None,
@@ -36,7 +37,8 @@ def sweep(
         vary: values by path, such as `{"force": numpy.linspace(1, 10, 10), "layer[1].thickness": [1, 2]}`; `scene.paths` lists paths.
         rows: in place of `vary` a table, each row of which is solved: a data frame, or anything else with columns by path.
         approach: adds the approach of the punch (length) and the stiffness.
-        extremes: adds the stresses by which layers and bonds break.
+        extremes: adds the stresses and strains by which layers and bonds break.
+        at: adds stresses, strains or displacements at points, such as `"0,0.2@1=eps_xx"`: x, depth and layer, and a name of `Field.at`.
         tolerance: relative error to aim at, 1e-13 to 1e-2.
         threads: threads that compute; as many as there are processors if not given. With an executor: threads of each task, 1 if
             not given.
@@ -60,14 +62,14 @@ def sweep(
     if not columns:
         raise ValueError(f"nothing varies; what can vary in this scene: {', '.join(scene.paths)}")
     axes = [(path, line(list(values), path).tolist()) for path, values in columns.items()]
-    rows = Rows(scene, axes, in_step, tolerance, (approach, extremes))
+    rows = Rows(scene, axes, in_step, tolerance, (approach, extremes, list(at)))
     metadata = {"scene": scene.to_ron(), "version": __version__, "tolerance": repr(tolerance)}
     if executor is None:
         table, complete = _part(rows, metadata, threads or os.cpu_count() or 1)
         if not complete:
             raise Interrupted(f"interrupted after {table.rows} of {len(rows)} rows", table)
         return table
-    what = (metadata["scene"], axes, in_step, tolerance, (approach, extremes))
+    what = (metadata["scene"], axes, in_step, tolerance, (approach, extremes, list(at)))
     size = chunk or max(LEAST, -(-len(rows) // (TASKS * (os.cpu_count() or 1))))
     return _by_executor(executor, what, rows, metadata, size, threads or 1)
 

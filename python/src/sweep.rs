@@ -6,7 +6,7 @@ use std::thread;
 
 use pyo3::prelude::*;
 use recede::report::SweepCsv;
-use recede::{Axis, Options, Sweep, SweepRow};
+use recede::{Axis, Options, Probe, Sweep, SweepRow};
 
 use crate::arrays::array;
 use crate::errors::raised;
@@ -31,15 +31,18 @@ impl Rows {
         axes: Vec<(String, Vec<f64>)>,
         in_step: bool,
         tolerance: f64,
-        wanted: (bool, bool),
+        wanted: (bool, bool, Vec<String>),
     ) -> PyResult<Self> {
-        let (approach, extremes) = wanted;
+        let (approach, extremes, at) = wanted;
         let axes: Result<Vec<Axis>, _> = axes.into_iter().map(|(path, values)| Axis::list(&path, values)).collect();
         let axes = axes.map_err(|error| raised(py, error))?;
         let options = Options { tolerance };
         let made = if in_step { Sweep::of_rows } else { Sweep::new };
         let sweep = made(scene.get().inner.clone(), axes).and_then(|sweep| sweep.with_options(options));
         let sweep = sweep.map_err(|error| raised(py, error))?;
+        let probe = |text: &String| Probe::parse(text, sweep.scene().geometry);
+        let probes: Result<Vec<Probe>, _> = at.iter().map(probe).collect();
+        let sweep = sweep.with_probes(probes.map_err(|error| raised(py, error))?);
         let sweep = if approach { sweep.with_approach() } else { sweep };
         Ok(Self { sweep: Arc::new(if extremes { sweep.with_extremes() } else { sweep }) })
     }

@@ -182,11 +182,15 @@ def test_each_row_of_a_table_is_a_scene(scene):
     swept = recede.sweep(scene, rows=rows)
     assert swept.rows == 3 and swept.solved.all()
     assert swept == recede.sweep(scene, rows=pandas.DataFrame(rows))
+    probed = recede.sweep(scene, rows=rows, at=["0,0=sigma_yy"])
+    assert probed["sigma_yy_at_0_0"] == pytest.approx(-swept["punch_central_pressure"], rel=1e-9)
     one = scene.with_number("force", 2e-3).with_number("layer[1].thickness", 0.25).solve()
     assert swept["contact_1_2_half_length"][1] == one.contacts[1].half_length
     with ThreadPoolExecutor(2) as threads:
         assert recede.sweep(scene, rows=rows, executor=threads, chunk=2) == swept
     with pytest.raises(ValueError, match="either `vary` or `rows`, not both"):
         recede.sweep(scene, {"force": [1.0]}, rows=rows)
+    with pytest.raises(recede.InputError, match="there is no eps_rr in this geometry"):
+        recede.sweep(scene, rows=rows, at=["0,0=eps_rr"])
     with pytest.raises(recede.InputError, match="found 2 values, force has 3"):
         recede.sweep(scene, rows={"force": [1e-3, 2e-3, 3e-3], "layer[1].thickness": [1.0, 2.0]})

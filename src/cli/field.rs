@@ -40,7 +40,7 @@ pub struct FieldArguments {
     #[command(flatten)]
     file: SceneFile,
     /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear
-    #[arg(long, value_name = "X,DEPTH[@LAYER]", value_parser = point, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,DEPTH[@LAYER]", allow_hyphen_values = true)]
     at: Vec<Point>,
     /// Places of a grid along x, or r; without it, two half-lengths (radii) of the longest contact to either side
     #[arg(long, value_name = "START:STOP:COUNT", value_parser = steps, conflicts_with = "at", allow_hyphen_values = true)]
@@ -82,18 +82,6 @@ fn steps(text: &str) -> Result<Steps, String> {
     let legal = start.is_finite() && stop.is_finite() && (1..=10_000).contains(&count);
     let refused = || format!("found `{text}`, allowed are finite numbers and a count of 1 to 10000");
     legal.then(|| spaced(start, stop, count)).ok_or_else(refused)
-}
-
-/// X,DEPTH or X,DEPTH@LAYER.
-fn point(text: &str) -> Result<Point, String> {
-    let wrong = || format!("found `{text}`, expected X,DEPTH or X,DEPTH@LAYER as in 0,0.5 or 1.2,1@2");
-    let (place, layer) = match text.split_once('@') {
-        Some((place, layer)) => (place, Some(layer.trim().parse().map_err(|_| wrong())?)),
-        None => (text, None),
-    };
-    let (x, depth) = place.split_once(',').ok_or_else(wrong)?;
-    let number = |text: &str| text.trim().parse().map_err(|_| wrong());
-    Ok(Point { x: number(x)?, depth: number(depth)?, layer })
 }
 
 impl FieldArguments {
@@ -144,11 +132,8 @@ impl FieldArguments {
 
     /// The quantity that is asked for by its name in this geometry.
     fn quantity(&self, geometry: Geometry) -> Result<FieldQuantity, Failure> {
-        let found = FieldQuantity::ALL.into_iter().find(|quantity| quantity.name_in(geometry) == self.quantity);
-        found.ok_or_else(|| {
-            let all = FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry)).join(", ");
-            Failure::usage(format!("there is no {} in this geometry", self.quantity), format!("there are {all}"))
-        })
+        let hint = "name a quantity of this geometry";
+        FieldQuantity::named(&self.quantity, geometry).map_err(|message| Failure::usage(message, hint))
     }
 
     /// Places along x and depths; the default number of each unless it is given.

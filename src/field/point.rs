@@ -1,5 +1,6 @@
 //! Stresses, strains and displacements at a point, and what follows from them.
 use std::fmt;
+use std::str::FromStr;
 
 use recede_layers::Material;
 
@@ -17,6 +18,22 @@ pub struct Point {
     pub depth: f64,
     /// The layer, numbered from the top as written in the scene, starting at 1. On an interface `None` is the layer below.
     pub layer: Option<usize>,
+}
+
+/// Reads X,DEPTH or X,DEPTH@LAYER.
+impl FromStr for Point {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || format!("found `{text}`, expected X,DEPTH or X,DEPTH@LAYER as in 0,0.5 or 1.2,1@2");
+        let (place, layer) = match text.split_once('@') {
+            Some((place, layer)) => (place, Some(layer.trim().parse().map_err(|_| wrong())?)),
+            None => (text, None),
+        };
+        let (x, depth) = place.split_once(',').ok_or_else(wrong)?;
+        let number = |text: &str| text.trim().parse().map_err(|_| wrong());
+        Ok(Self { x: number(x)?, depth: number(depth)?, layer })
+    }
 }
 
 impl fmt::Display for Point {
@@ -192,6 +209,16 @@ impl FieldQuantity {
         (["eps_1"; 2], |point| point.principal_strains()[0]),
         (["eps_2"; 2], |point| point.principal_strains()[1]),
     ];
+
+    /// The quantity of this name in a geometry.
+    ///
+    /// # Errors
+    /// If there is none: what was found, and all that there are.
+    pub fn named(name: &str, geometry: Geometry) -> Result<Self, String> {
+        let all = || Self::ALL.map(|quantity| quantity.name_in(geometry)).join(", ");
+        let found = Self::ALL.into_iter().find(|quantity| quantity.name_in(geometry) == name);
+        found.ok_or_else(|| format!("there is no {name} in this geometry; there are {}", all()))
+    }
 
     /// Whether it is a strain, which has no unit.
     pub(crate) fn is_strain(self) -> bool {

@@ -77,10 +77,14 @@ impl<'a> SweepCsv<'a> {
         let (status, warnings, message) = match &row.result {
             Ok(solution) => {
                 let warnings = solution.warnings();
-                let not_found = row.extremes.as_ref().and_then(|found| found.as_ref().err());
-                let not_found = not_found.map(|error| format!("extremes were not found: {error}"));
+                let extremes = row.extremes.as_ref().and_then(|found| found.as_ref().err());
+                let probes = row.probes.as_ref().and_then(|found| found.as_ref().err());
+                let not_found = [("extremes", extremes), ("quantities at points", probes)].into_iter();
+                let not_found: Vec<String> =
+                    not_found.filter_map(|(what, error)| Some(format!("{what} were not found: {}", error?))).collect();
                 let codes: Vec<&str> = warnings.iter().map(|warning| warning.code.as_str()).collect();
-                let messages = warnings.iter().map(|warning| &warning.message[..]).chain(not_found.as_deref());
+                let messages =
+                    warnings.iter().map(|warning| &warning.message[..]).chain(not_found.iter().map(String::as_str));
                 (SOLVED, codes.join(" "), messages.collect::<Vec<_>>().join("; "))
             }
             Err(error) => (UNSOLVED[usize::from(!error.is_input())], String::new(), error.to_string()),
@@ -208,6 +212,9 @@ fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
         let found = row.and_then(|row| row.extremes.as_ref()?.as_ref().ok());
         cells.extend(extremes::cells(sweep.scene(), found));
     }
+    let probed = row.and_then(|row| row.probes.as_ref()?.as_ref().ok());
+    let at = |number: usize| probed.map_or(f64::NAN, |numbers| numbers[number]);
+    cells.extend(sweep.probes().iter().enumerate().map(|(number, probe)| (probe.to_string(), at(number))));
     cells
 }
 

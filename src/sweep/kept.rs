@@ -2,8 +2,9 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::{Row, Sweep};
+use super::{Probe, Row, Sweep};
 use crate::errors::Error;
+use crate::field::{Field, FieldError, FieldPoint, Point};
 use crate::model::Model;
 use crate::scene::{Change, Owner, Scene, Top};
 use crate::solution::Solution;
@@ -63,13 +64,27 @@ impl Sweep {
         let values = self.values(index);
         let solved = self.solve_row(&values);
         let found = solved.as_ref().ok();
+        let asked = found.filter(|_| self.extremes || !self.probes.is_empty());
+        let field = asked.map(|(model, _, solution)| model.field(solution));
         Row {
             approach: found.filter(|_| self.approach).map(|(model, top, solution)| model.approach(top, solution)),
-            extremes: found.filter(|_| self.extremes).map(|(model, _, solution)| model.field(solution)?.extremes()),
+            extremes: field
+                .as_ref()
+                .filter(|_| self.extremes)
+                .map(|field| field.as_ref().map_err(Clone::clone)?.extremes()),
+            probes: field.filter(|_| !self.probes.is_empty()).map(|field| self.probed(&field?)),
             result: solved.map(|(.., solution)| solution),
             index,
             values,
         }
+    }
+
+    /// What the field has at the points that are asked for.
+    fn probed(&self, field: &Field) -> Result<Vec<f64>, FieldError> {
+        let points: Vec<Point> = self.probes.iter().map(|probe| probe.point).collect();
+        let found = field.points(&points)?;
+        let of = |(probe, point): (&Probe, &FieldPoint)| probe.quantity.of_in(point, self.scene.geometry);
+        Ok(self.probes.iter().zip(&found).map(of).collect())
     }
 
     fn solve_row(&self, values: &[f64]) -> Result<(Arc<Model>, Top, Solution), Error> {

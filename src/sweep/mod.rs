@@ -4,6 +4,7 @@ mod kept;
 #[cfg(feature = "parallel")]
 mod parallel;
 mod part;
+mod probe;
 #[cfg(feature = "files")]
 mod read;
 
@@ -20,6 +21,7 @@ use recede_layers::tree::ReadError;
 #[cfg(feature = "parallel")]
 pub use parallel::ParallelRows;
 pub use part::{Part, PartError};
+pub use probe::Probe;
 
 use kept::Kept;
 
@@ -66,6 +68,7 @@ pub struct Sweep {
     options: Options,
     approach: bool,
     extremes: bool,
+    probes: Vec<Probe>,
     rows: usize,
     interfaces: Vec<Interface>,
     models: Kept<Model>,
@@ -84,6 +87,8 @@ pub struct Row {
     pub approach: Option<Result<Approach, ApproachError>>,
     /// The stresses by which layers and bonds break, where they were [asked for](Sweep::with_extremes), and the row has a solution.
     pub extremes: Option<Result<Extremes, FieldError>>,
+    /// The quantities at points that were [asked for](Sweep::with_probes), if any were, and the row has a solution.
+    pub probes: Option<Result<Vec<f64>, FieldError>>,
 }
 
 /// One row of a sweep as numbers, for a picture.
@@ -149,7 +154,9 @@ impl Sweep {
         };
         let (options, models) = (Options::default(), Kept::new(Model::stored_numbers));
         let (approach, extremes, interfaces) = (false, false, Vec::new());
-        let mut sweep = Self { scene, axes, in_step, slots, options, approach, extremes, rows, interfaces, models };
+        let probes = Vec::new();
+        let mut sweep =
+            Self { scene, axes, in_step, slots, options, approach, extremes, probes, rows, interfaces, models };
         sweep.interfaces = sweep.all_interfaces()?;
         Ok(sweep)
     }
@@ -209,6 +216,29 @@ impl Sweep {
         self.extremes
     }
 
+    /// The same sweep with stresses, strains or displacements at points in each row.
+    ///
+    /// ```
+    /// use recede::{Probe, Scene, Sweep};
+    /// let scene = Scene::read("examples/scenes/bonded_coating.ron")?;
+    /// let probe = Probe::parse("0,0=sigma_yy", scene.geometry)?;
+    /// let sweep = Sweep::new(scene, vec!["force=[0.001, 0.002]".parse()?])?.with_probes(vec![probe]);
+    /// for row in sweep.rows() {
+    ///     let pressure = row.result?.contacts()[0].central_pressure;
+    ///     assert!((row.probes.unwrap()?[0] / pressure + 1.0).abs() < 1e-9);
+    /// }
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_probes(self, probes: Vec<Probe>) -> Self {
+        Self { probes, ..self }
+    }
+
+    /// What each row has at points.
+    pub fn probes(&self) -> &[Probe] {
+        &self.probes
+    }
+
     /// Whether weights, or a pressure on top, press layers together in some row.
     pub(crate) fn has_weights(&self) -> bool {
         let layers = self.scene.stack.iter().filter_map(Item::elastic);
@@ -223,10 +253,10 @@ impl Sweep {
     /// # Errors
     /// As [`Sweep::new`].
     pub fn and_vary(self, axes: Vec<Axis>) -> Result<Self, Error> {
-        let Self { scene, axes: mut all, in_step, options, approach, extremes, .. } = self;
+        let Self { scene, axes: mut all, in_step, options, approach, extremes, probes, .. } = self;
         all.extend(axes);
         let sweep = Self::of(scene, all, in_step)?.with_options(options)?;
-        Ok(Self { approach, extremes, ..sweep })
+        Ok(Self { approach, extremes, probes, ..sweep })
     }
 
     /// The scene that is varied.
@@ -361,6 +391,7 @@ impl Sweep {
         }
         hasher.write(&self.options.tolerance.to_bits().to_le_bytes());
         hasher.write(&[u8::from(self.approach), u8::from(self.extremes), u8::from(self.in_step)]);
+        self.probes.iter().for_each(|probe| hasher.write(probe.to_string().as_bytes()));
         hasher.write(env!("CARGO_PKG_VERSION").as_bytes());
         self.axes.iter().for_each(|axis| axis.write_to(&mut hasher));
         hasher.finish()
