@@ -67,7 +67,8 @@ fn columns_have_what_fields_have_at_points() {
     let options: Vec<&str> = at.iter().flat_map(|at| ["--at", at]).collect();
     let run = recede(&[&["sweep", SCENE, "--vary", "force=[0.001,0.002]"], &options[..]].concat(), b"");
     let lines: Vec<Vec<&str>> = run.stdout.lines().map(|line| line.split(',').collect()).collect();
-    let column = |name: &str| lines[0].iter().position(|own| *own == name).unwrap_or_else(|| panic!("{name}: {run:?}"));
+    let column =
+        |name: &str| lines[0].iter().position(|own| *own == name).unwrap_or_else(|| panic!("{name}: {}", run.stderr));
     for (line, force) in lines[1..].iter().zip([0.001, 0.002]) {
         let scene = Scene::read(SCENE).unwrap().with("force", force).unwrap();
         let model = Model::new(scene.stack().unwrap()).unwrap();
