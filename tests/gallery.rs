@@ -115,6 +115,40 @@ fn sheets_smooth_the_two_peaks() {
 }
 
 #[test]
+fn weight_holds_a_slab_down() {
+    let critical = |column| number("slab_held_down", column, "force under which 1|2 opens");
+    let least = number("slab_held_down", 0, "1|2: smallest pressure");
+    assert!((0.89..0.91).contains(&(least / 4.8)) && (4.4..4.6).contains(&place("slab_held_down", 0, "1|2: smallest")));
+    assert!((9.5..10.5).contains(&(critical(0) / 100.0)) && (0.3..0.36).contains(&(critical(2) / critical(0))));
+    assert!((4.5..5.0).contains(&number("slab_held_down", 1, "1|2: width")));
+    let gap = ["1|2: gap on the right, from", "1|2: its length", "1|2: its height"];
+    let [from, length, height] = gap.map(|row| number("slab_held_down", 3, row));
+    assert!((3.85..3.95).contains(&from) && (1.6..1.7).contains(&length) && (1.4e-5..1.5e-5).contains(&height));
+    assert!(place("slab_held_down", 2, "1|2: smallest") < place("slab_held_down", 0, "1|2: smallest"));
+}
+
+#[test]
+fn a_curled_slab_touches_less_far() {
+    let of = |row: &str| [1, 0, 2].map(|column| number("curled_slab", column, row));
+    assert!(of("2|3: width").is_sorted_by(|flatter, more| flatter > more));
+    assert!(of("2|3: largest pressure").is_sorted_by(|flatter, more| flatter < more));
+    assert!(number("curled_slab", 3, "2|3: width") > 1.1 * number("curled_slab", 0, "2|3: width"));
+    let [flat, curled, more] = of("`sigma_xx` at x = 0, bottom of layer 2");
+    assert!(flat > more && more > curled, "{flat} {curled} {more}");
+}
+
+#[test]
+fn residual_stresses_are_added_to_those_of_the_contact() {
+    let of = |row: &str| [1, 0, 2].map(|column| number("stressed_coating", column, row));
+    for row in [WIDTH, PRESSURE] {
+        assert!(of(row).iter().all(|number| *number == of(row)[0]));
+    }
+    let [free, stressed, _] = of("`sigma_xx` at x = 0.144, top of layer 1");
+    assert!((80.0..83.0).contains(&free) && (384.0..386.0).contains(&(free - stressed)));
+    assert!(of(SHEAR).is_sorted_by(|less, more| less < more));
+}
+
+#[test]
 fn a_seal_leaks_below_first() {
     let ratio = number("seal", 0, "1|2: largest pressure") / number("seal", 0, PRESSURE);
     assert!((0.45..0.55).contains(&ratio), "{ratio}");

@@ -114,17 +114,19 @@ impl Field {
         let plane = stack.plane();
         let layers = body::layers(stack);
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
-        // where layers come apart, the field is summed on both sides
-        let closed = if stack.laminates().len() + 1 > solution.contacts().len() { solution.closed() } else { &[] };
-        let about = solution.about().filter(|_| closed.is_empty());
+        let about = solution.about();
         let (is_even, middle) = (about.is_some(), about.unwrap_or(0.0));
         let contacts = solution.contacts();
+        // interfaces that come apart, counted from the middle
+        let apart = stack.laminates().len() + 1 > contacts.len();
+        let moved = |own: &ClosedInterface| own.clone().scaled(1.0, -middle, [1.0; 2]);
+        let closed: Vec<ClosedInterface> = solution.closed().iter().filter(|_| apart).map(moved).collect();
         let pressure = |contact| ContactPressure::new(contact, is_even, middle);
         let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         if let (false, Some(top)) = (closed.is_empty(), contacts.first()) {
-            let bodies = Arc::new(ClosedBodies::new(stack, modulus, top, closed));
+            let bodies = Arc::new(ClosedBodies::new(stack, modulus, &top.clone().moved(-middle), &closed));
             let of = |(k, own): (usize, &ClosedInterface)| {
-                ContactPressure::of_closed(own, Closed::new(&bodies, k + 1, stack.total_thickness()))
+                ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, stack.total_thickness()))
             };
             pressures.extend(closed.iter().enumerate().map(of));
         }
@@ -144,6 +146,7 @@ impl Field {
             (Some(first), Some(last)) => [first.left, last.right],
             _ => [-length, length],
         });
+        let beside = beside.map(|[left, right]| if is_even { [right; 2] } else { [left, right] });
         let joints: Vec<[f64; 2]> = touching.chain(beside).collect();
         let mut field = Self {
             geometry: stack.geometry(),

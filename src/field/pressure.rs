@@ -54,10 +54,11 @@ impl ContactPressure {
         pressure
     }
 
-    /// The pressure of an interface that weights press together, in a field that is not even.
-    pub(super) fn of_closed(interface: &ClosedInterface, closed: Closed) -> Self {
+    /// The pressure of an interface that weights press together: of what is even on both sides, with the ends of the right one.
+    pub(super) fn of_closed(interface: &ClosedInterface, is_even: bool, closed: Closed) -> Self {
         let strips: Vec<TabulatedStrip> = interface.slopes.iter().map(TabulatedStrip::new).collect();
-        let ends: Vec<f64> = strips.iter().flat_map(|one| one.strip.ends()).collect();
+        let ends = strips.iter().flat_map(|one| one.strip.ends());
+        let ends: Vec<f64> = ends.filter(|end| !is_even || *end >= 0.0).collect();
         let half_length = ends.iter().fold(closed.half_length(), |most, end| most.max(end.abs()));
         Self { half_length, strips, ends, is_whole: true, is_even: false, far: 0.0, closed: Some(closed) }
     }
