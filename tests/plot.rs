@@ -328,7 +328,7 @@ fn sweep(scene: Scene, axes: &[&str]) -> Picture {
     let sweep = Sweep::new(scene, axes.iter().map(|axis| axis.parse().unwrap()).collect()).unwrap();
     let csv = SweepCsv::new(&sweep);
     let points: Vec<_> = sweep.rows().map(|row| csv.point(&row)).collect();
-    plot::sweep(&sweep, &points).unwrap()
+    plot::sweep(&sweep, &points, &plot::DrawnColumns::default()).unwrap()
 }
 
 #[test]

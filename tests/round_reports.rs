@@ -191,7 +191,7 @@ fn pictures_have_the_units_and_symbols_of_an_axis() {
     let sweep = recede::Sweep::new(scene.clone(), axes).unwrap();
     let csv = recede::report::SweepCsv::new(&sweep);
     let points: Vec<_> = sweep.rows().map(|row| csv.point(&row)).collect();
-    let written = texts(plot::sweep(&sweep, &points).unwrap().svg().as_bytes());
+    let written = texts(plot::sweep(&sweep, &points, &plot::DrawnColumns::default()).unwrap().svg().as_bytes());
     assert!(written.contains("force P, nN|") && written.contains("contact radius a, um"), "{written}");
     let model = Model::new(scene.stack().unwrap()).unwrap();
     let solution = model.press(&scene.top, scene.force).unwrap();

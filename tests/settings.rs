@@ -2,7 +2,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::support::recede;
+use crate::support::{recede, texts};
 use recede::report::SweepCsv;
 use recede::{Axis, Model, Scene, Sweep};
 
@@ -113,4 +113,33 @@ fn tables_that_make_no_scenes_are_refused() {
     let axes = ["force=[0.001,0.002]", "layer[2].beta=[1]"].map(|axis| axis.parse().unwrap());
     let error = Sweep::of_rows(Scene::read(SCENE).unwrap(), axes.to_vec()).unwrap_err().to_string();
     assert!(error.contains("found 1 values, force has 2"), "{error}");
+}
+
+#[test]
+fn any_columns_are_drawn() {
+    let picture = table("columns.svg", "");
+    let drawn = |options: &[&str]| {
+        let own = [
+            "sweep",
+            SCENE,
+            "--vary",
+            "force=0.001:0.004:7",
+            "--at",
+            "0,0=sigma_yy",
+            "--plot",
+            picture.to_str().unwrap(),
+        ];
+        let run = recede(&[&own, options].concat(), b"");
+        (run.status, run.stderr)
+    };
+    let (status, message) = drawn(&["--x", "punch_half_length", "--y", "force,sigma_yy_at_0_0"]);
+    assert_eq!((status, &message[..]), (Some(0), ""));
+    let written = texts(&fs::read(&picture).unwrap());
+    for label in ["punch_half_length", "force", "sigma_yy_at_0_0"] {
+        assert!(written.contains(label), "{label}: {written}");
+    }
+    assert!(!written.contains("largest"), "{written}");
+    let (status, message) = drawn(&["--y", "sigma_yy_at_0_1"]);
+    assert!(status == Some(2) && message.contains("the table has no column of numbers `sigma_yy_at_0_1`"), "{message}");
+    assert!(message.contains("punch_half_length"), "{message}");
 }

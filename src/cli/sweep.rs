@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
-use recede::plot::{self, Kind};
+use recede::plot::{self, DrawnColumns, Kind};
 use recede::report::SweepCsv;
 use recede::{Part, Sweep};
 
@@ -29,6 +29,7 @@ Examples:
   recede sweep scene.ron --vary layer[2].beta=-3:1:41 --plot beta.svg
   recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
   recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
+  recede sweep scene.ron --vary depth=0.01:0.1:40 --plot curve.svg --x depth --y force
   recede sweep scene.ron --vary force=1:10:10 --at 0,0.2@1=eps_xx --at 0,0.2@2=eps_yy
   recede sweep scene.ron --rows samples.csv --out results.csv
   recede sweep scene.ron --set layer[1].thickness=2 --vary force=1:10:10
@@ -51,6 +52,12 @@ pub struct SweepArguments {
     /// Draw curves over the axis with most values, or maps over two axes of six values or more
     #[arg(long, value_name = "FILE.svg|pdf|png")]
     plot: Option<PathBuf>,
+    /// Draw these columns of the table rather than half-lengths and pressures: `--y approach,layer_1_von_mises`
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', requires = "plot")]
+    y: Vec<String>,
+    /// Draw them over this column rather than over the axis with most values: `--x approach --y force`
+    #[arg(long, value_name = "NAME", requires = "y")]
+    x: Option<String>,
     #[command(flatten)]
     title: Title,
     /// Threads that compute [default: one for each processor]
@@ -67,6 +74,7 @@ impl SweepArguments {
         let sweep = Arc::new(self.grid.sweep()?);
         self.check_files(&sweep, lines.as_deref().filter(|_| is_parquet))?;
         let csv = SweepCsv::new(&sweep);
+        let columns = self.columns(&csv)?;
         let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
         let wanted = self.part.map_or(0..sweep.len(), |part| part.rows(sweep.len()));
@@ -105,10 +113,29 @@ impl SweepArguments {
             tell(&format!("warning: {unsolved} of {rows} rows have no solution; column `message` says why\n"));
         }
         if let Some(file) = &self.plot {
-            let picture = plot::sweep(&sweep, &rows)?;
+            let picture = plot::sweep(&sweep, &rows, &columns)?;
             plot::save(file, &self.title.above(picture, sweep.scene()))?;
         }
         Ok(())
+    }
+
+    /// The columns that are drawn, by their names.
+    fn columns(&self, csv: &SweepCsv) -> Result<DrawnColumns, Failure> {
+        let column = |name: &String| {
+            let names = csv.names();
+            let found = names.iter().position(|own| own == name);
+            let unknown = || {
+                Failure::usage(
+                    format!("the table has no column of numbers `{name}`"),
+                    format!("there are {}", names.join(", ")),
+                )
+            };
+            Ok((found.ok_or_else(unknown)?, name.clone()))
+        };
+        Ok(DrawnColumns {
+            along: self.x.as_ref().map(column).transpose()?,
+            up: self.y.iter().map(column).collect::<Result<_, Failure>>()?,
+        })
     }
 
     /// Whether the picture, if there is to be one, can be drawn.

@@ -45,4 +45,4 @@ pub use map::map;
 pub use picture::{Anchor, Colour, Picture, Stroke, italic, subscript};
 pub use scale::{Scale, Tick, label, ten_to};
 pub use stack::stack;
-pub use sweep::{is_drawn, sweep};
+pub use sweep::{DrawnColumns, is_drawn, sweep};

@@ -1,4 +1,4 @@
-//! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below.
+//! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below; or one for each of some columns of its table.
 use super::bands::Bands;
 use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::file::PlotError;
@@ -31,6 +31,15 @@ const CONTACTS: usize = 6;
 /// Values of equal ratio over at least such a range are drawn so.
 const WIDE: f64 = 8.0;
 
+/// Which columns of the table of a sweep are drawn, by their numbers and names; by default how far contacts reach and their largest pressures, over an axis.
+#[derive(Clone, Debug, Default)]
+pub struct DrawnColumns {
+    /// The column over which others are drawn, as curves.
+    pub along: Option<(usize, String)>,
+    /// The columns that are drawn, each in a plane of its own.
+    pub up: Vec<(usize, String)>,
+}
+
 /// The axes of the planes of a picture, and the size of a plane.
 struct Layout<'a> {
     sweep: &'a Sweep,
@@ -41,6 +50,7 @@ struct Layout<'a> {
     up: Option<usize>,
     /// Most values along x, and most of all others together.
     most: [usize; 2],
+    columns: &'a DrawnColumns,
     /// Size of one plane, and the distance from one to the next, in points.
     size: [f64; 2],
     apart: [f64; 2],
@@ -49,7 +59,7 @@ struct Layout<'a> {
 /// Whether a picture of a sweep needs the row with this number: of a large grid equally spaced ones are drawn, at most a
 /// thousand along a curve and two hundred curves.
 pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
-    let Some(Layout { along, most, .. }) = Layout::of(sweep, &[]) else { return true };
+    let Some(Layout { along, most, .. }) = Layout::of(sweep, &[], &DrawnColumns::default()) else { return true };
     let counts: Vec<usize> = sweep.axes().iter().map(Axis::count).collect();
     // the last axis changes fastest
     let (count, within) = (counts[along], counts[along + 1..].iter().product::<usize>());
@@ -67,9 +77,9 @@ pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
 ///
 /// # Errors
 /// [`PlotError::Empty`] if no axis has two values.
-pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError> {
+pub fn sweep(sweep: &Sweep, points: &[SweepPoint], columns: &DrawnColumns) -> Result<Picture, PlotError> {
     let empty = || PlotError::Empty("a curve needs a quantity that takes two values".into());
-    let layout = Layout::of(sweep, points).ok_or_else(empty)?;
+    let layout = Layout::of(sweep, points, columns).ok_or_else(empty)?;
     let families = layout.families();
     let mut picture = Picture::new(layout.size[0], layout.size[1]);
     let mut jumping = false;
@@ -96,17 +106,17 @@ pub fn sweep(sweep: &Sweep, points: &[SweepPoint]) -> Result<Picture, PlotError>
 
 impl<'a> Layout<'a> {
     /// `None` if no axis has two values.
-    fn of(sweep: &'a Sweep, points: &'a [SweepPoint]) -> Option<Self> {
+    fn of(sweep: &'a Sweep, points: &'a [SweepPoint], columns: &'a DrawnColumns) -> Option<Self> {
         let count = |i: &usize| sweep.axes()[*i].count();
         let varied: Vec<usize> = (0..sweep.axes().len()).filter(|i| count(i) > 1).collect();
         Some(match varied[..] {
-            [y, x] if count(&x).min(count(&y)) >= FEWEST => {
+            [y, x] if count(&x).min(count(&y)) >= FEWEST && columns.along.is_none() => {
                 let (along, up, most) = (x, Some(y), [MOST; 2]);
-                Self { sweep, points, along, up, most, size: [200.0, 150.0], apart: [330.0, 222.0] }
+                Self { sweep, points, along, up, most, columns, size: [200.0, 150.0], apart: [330.0, 222.0] }
             }
             _ => {
                 let (along, up, most) = (varied.iter().copied().max_by_key(count)?, None, [POINTS, CURVES]);
-                Self { sweep, points, along, up, most, size: [215.0, 145.0], apart: [285.0, 209.0] }
+                Self { sweep, points, along, up, most, columns, size: [215.0, 145.0], apart: [285.0, 209.0] }
             }
         })
     }
@@ -119,11 +129,21 @@ impl<'a> Layout<'a> {
 
     /// The last column of the picture.
     fn last(&self) -> usize {
-        self.sweep.contacts().take(CONTACTS).count().saturating_sub(1)
+        match self.columns.up.len() {
+            0 => self.sweep.contacts().take(CONTACTS).count().saturating_sub(1),
+            count => count - 1,
+        }
     }
 
     /// Two planes for each contact: how far it reaches, and its largest pressure, or the pressure at x = 0 where the largest is infinite.
     fn planes(&self) -> Vec<SweepPlane> {
+        if !self.columns.up.is_empty() {
+            let of = |(i, (column, name)): (usize, &(usize, String))| {
+                let (what, label, unit) = (String::new(), name.clone(), None);
+                SweepPlane { what, place: [i, 0], column: *column, label, unit }
+            };
+            return self.columns.up.iter().enumerate().map(of).collect();
+        }
         let (sweep, scene) = (self.sweep, self.sweep.scene());
         let contacts: Vec<_> = sweep.contacts().collect();
         let symbols = symbols(contacts.iter().map(|(interface, _)| *interface));
@@ -173,7 +193,12 @@ impl<'a> Layout<'a> {
     }
 
     fn chart(&self, plane: &SweepPlane, y: Scale, curves: Vec<Curve>) -> Chart {
-        let x = self.scale(self.along, self.most[0]);
+        let x = match &self.columns.along {
+            Some((column, name)) => {
+                Scale::around(self.points.iter().map(|point| number(point, *column))).rounded().of(name, None)
+            }
+            None => self.scale(self.along, self.most[0]),
+        };
         Chart { frame: self.frame(plane.place), x, y, curves, labels: Labels::AtEnds }
     }
 
@@ -216,7 +241,8 @@ impl<'a> Layout<'a> {
     /// Curves with marks; whether one of them jumps.
     fn curves(&self, picture: &mut Picture, plane: &SweepPlane, families: &[(String, Vec<usize>)]) -> bool {
         let is_labelled = plane.place[0] == self.last() && families.len() > 1;
-        let place = |point: &SweepPoint| (number(point, self.along), number(point, plane.column));
+        let along = self.columns.along.as_ref().map_or(self.along, |(column, _)| *column);
+        let place = |point: &SweepPoint| (number(point, along), number(point, plane.column));
         let gap = (f64::NAN, f64::NAN);
         let (mut curves, mut jumping) = (Vec::new(), false);
         for (i, (label, rows)) in families.iter().enumerate() {
@@ -267,7 +293,8 @@ impl<'a> Layout<'a> {
 
     /// Lines of text below the planes that explain the marks, and name contacts that are not drawn.
     fn notes(&self, picture: &mut Picture, jumping: bool) {
-        let left_out = self.sweep.contacts().count().saturating_sub(CONTACTS);
+        let contacts = if self.columns.up.is_empty() { self.sweep.contacts().count() } else { 0 };
+        let left_out = contacts.saturating_sub(CONTACTS);
         let mark = if self.up.is_some() { "white" } else { "cross" };
         let marked = self.up.is_none() && self.points.iter().any(|point| point.warned);
         let notes = [
@@ -276,7 +303,8 @@ impl<'a> Layout<'a> {
             (jumping, "dotted: the curve jumps".to_owned()),
             (left_out > 0, format!("not drawn: {left_out} more contacts")),
         ];
-        let top = self.frame([0, 2]).top;
+        let lines = if self.columns.up.is_empty() { 2 } else { 1 };
+        let top = self.frame([0, lines]).top;
         for (i, (_, note)) in notes.into_iter().filter(|(is_so, _)| *is_so).enumerate() {
             picture.text((0.0, top + 1.3 * SMALL * i as f64), &note, SMALL, INK, Anchor::Left);
         }

@@ -50,6 +50,11 @@ impl<'a> SweepCsv<'a> {
         self.sweep
     }
 
+    /// The names of the columns of numbers.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
     /// The fingerprint of the sweep as it stands at the end of each line.
     pub fn fingerprint(&self) -> &str {
         &self.fingerprint
