@@ -225,6 +225,46 @@ fn even_openings_are_the_ones_on_both_sides() {
     }
 }
 
+/// What presses on top is carried by every interface below: the integral of the pressure less the weight is the force, whether layers are graded, stiffer along than across, or come apart at
+/// several interfaces.
+#[test]
+fn every_interface_carries_the_force() {
+    let graded = "Exponential(thickness: 0.6, shear_modulus: 0.75, beta: 0.5, poisson: 0.25, specific_weight: 1.2)";
+    let fibres = "Orthotropic(thickness: 0.4, young: (x: 6.0, y: 1.0, z: 1.0), shear_modulus: 0.5, poisson: (xy: 0.2, xz: 0.2, yz: 0.2), specific_weight: 0.5)";
+    let soft = "Homogeneous(thickness: 1.5, shear_modulus: 0.2, poisson: 0.4, specific_weight: 0.3)";
+    let base = "HalfPlane(shear_modulus: 0.5, poisson: 0.3)";
+    let stacks = [
+        format!("{fibres}, Bonded, {graded}, Receding, {base}"),
+        format!("{graded}, Receding, {fibres}, Receding, {base}"),
+        format!("{fibres}, Receding, {graded}, Receding, {soft}, Receding, {base}"),
+    ];
+    let tops = [
+        "load: Line, force: 300.0",
+        "punch: Parabola(radius: 0.002), force: 120.0",
+        "loads: [(load: Uniform(half_width: 0.3), at: 0.0, force: 200), (load: Line, at: 2.5, force: 100)]",
+    ];
+    for (stack, top) in stacks.iter().flat_map(|stack| tops.map(|top| (stack, top))) {
+        let text = format!("Scene(geometry: PlaneStrain, {top}, stack: [{stack}])");
+        let scene = Scene::from_ron(&text).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        assert!(solution.closed().iter().any(|own| !own.openings.is_empty()), "{text}");
+        // places that are dense about the middle, x = 2000 sinh s/sinh 9
+        let half = 3000;
+        let steps = (-half..=half).map(|k| 9.0 * f64::from(k) / f64::from(half));
+        let (places, lengths): (Vec<f64>, Vec<f64>) = steps
+            .map(|s| (2000.0 * s.sinh() / 9f64.sinh(), 2000.0 * s.cosh() / 9f64.sinh() * 9.0 / f64::from(half)))
+            .unzip();
+        let profile = model.profile(&scene.top, &solution, &places).unwrap();
+        for own in solution.closed() {
+            let pressures = &profile.contacts.iter().find(|one| one.interface == own.interface).unwrap().pressure;
+            let carried: f64 =
+                pressures.iter().zip(&lengths).map(|(pressure, length)| (pressure - own.weight) * length).sum();
+            assert!((carried / solution.force() - 1.0).abs() < 2e-3, "{text} {}: {carried}", own.interface);
+        }
+    }
+}
+
 #[test]
 fn even_curvature_is_pressed_flat() {
     let line = "geometry: PlaneStrain, load: Line, force: 20.0";
