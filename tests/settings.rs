@@ -63,7 +63,7 @@ fn each_row_of_a_table_is_a_scene() {
 
 #[test]
 fn columns_have_what_fields_have_at_points() {
-    let at = ["0,0=sigma_yy", "0.3,0.5@2=eps_1", "-0.3,2=u"];
+    let at = ["0,0=sigma_yy", "0.3,1.5@2=eps_1", "-0.3,2=u"];
     let options: Vec<&str> = at.iter().flat_map(|at| ["--at", at]).collect();
     let run = recede(&[&["sweep", SCENE, "--vary", "force=[0.001,0.002]"], &options[..]].concat(), b"");
     let lines: Vec<Vec<&str>> = run.stdout.lines().map(|line| line.split(',').collect()).collect();
@@ -76,7 +76,7 @@ fn columns_have_what_fields_have_at_points() {
         let field = model.field(&solution).unwrap();
         let expected = [
             ("sigma_yy_at_0_0", field.at(0.0, 0.0).unwrap().sigma_yy),
-            ("eps_1_at_0.3_0.5_in_2", field.at_layer(0.3, 0.5, 2).unwrap().principal_strains()[0]),
+            ("eps_1_at_0.3_1.5_in_2", field.at_layer(0.3, 1.5, 2).unwrap().principal_strains()[0]),
             ("u_at_-0.3_2", field.at(-0.3, 2.0).unwrap().u),
         ];
         for (name, expected) in expected {
