@@ -320,6 +320,13 @@ class Solution:
             to: how far to go on both sides, in length; twice as far as the bodies touch if not given.
             points: how many places, about.
         """
+    def plot(self, ax: Any = None) -> Any:
+        """Draws the pressures of all contacts with `matplotlib`, and returns the axes.
+
+        Args:
+            ax: axes to draw on; new ones if not given.
+        """
+
     def to_json(self, *, max_shear: bool = False, extremes: bool = False) -> str:
         """All numbers as JSON, as `recede solve --format json` writes them.
 
@@ -421,6 +428,33 @@ class Field:
     def grid(self, x: ArrayLike, depth: ArrayLike) -> Fields:
         """The same on a grid: arrays with a row for each depth, faster than one by one."""
 
+    def by_layer(self, x: ArrayLike, depth: ArrayLike) -> list[Fields]:
+        """The same layer by layer, on grids that reach the faces of layers, since stresses along the layers jump there: a list."""
+
+    @property
+    def layers(self) -> list[tuple[int, float, float]]:
+        """The layers, from the top: number, and the depths of top and bottom, infinite at the bottom of a half-plane."""
+
+    def window(self) -> list[tuple[float, float]]:
+        """Where stresses are, from and to along x, and in depth."""
+
+    def map(
+        self,
+        quantity: str = "max_shear",
+        ax: Any = None,
+        *,
+        x: ArrayLike | None = None,
+        depth: ArrayLike | None = None,
+    ) -> Any:
+        """Draws a quantity in all layers in colours with `matplotlib`, and returns the axes.
+
+        Args:
+            quantity: a stress, strain or displacement, by the name that it has in `at`.
+            ax: axes to draw on; new ones if not given.
+            x: places along x; `window` if not given.
+            depth: depths, ascending; `window` if not given.
+        """
+
     def stress_error(self, x: float, depth: float, layer: int | None = None) -> float:
         """Estimate of the error of the stresses at a point, in stress."""
 
@@ -429,7 +463,7 @@ class Field:
 
     def extremes(self) -> dict[str, Any]:
         """The stresses by which layers and bonds break, as `recede solve --extremes --format json` has them: the largest `tension`; of each
-        of the `layers` the largest von Mises stress; of each of the `interfaces` that do not open the shear stress and the tension across
+        of the `layers` the largest von Mises stress and tensile strain; of each of the `interfaces` that do not open the shear stress and the tension across
         it. None for what is not there, or not known.
         """
 

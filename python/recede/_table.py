@@ -5,13 +5,14 @@ from __future__ import annotations
 import csv
 import io
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _html, _recede
+from ._plots import curves
 
 #: Rows that are shown in a notebook.
 SHOWN = 20
@@ -69,6 +70,24 @@ class Columns(dict[str, Any]):
         file = io.BytesIO()
         pyarrow.parquet.write_table(self._arrow(), file)
         _recede.replace(os.fspath(path), file.getvalue())
+
+    def to_pandas(self) -> Any:
+        """The table as a data frame; needs `pandas`."""
+        import pandas  # type: ignore[import-untyped, unused-ignore]
+
+        frame = pandas.DataFrame(self)
+        frame.attrs.update(self.metadata)
+        return frame
+
+    def plot(self, x: str | None = None, y: str | Sequence[str] | None = None, ax: Any = None) -> Any:
+        """Draws columns over another one with `matplotlib`, points marked, and returns the axes.
+
+        Args:
+            x: the column along x; the first one that varies if not given.
+            y: one column or several; how far the first contact reaches if not given.
+            ax: axes to draw on; new ones if not given.
+        """
+        return curves(self, x, y, ax)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Columns) or list(self) != list(other):

@@ -9,6 +9,11 @@ use crate::arrays::{self, read};
 use crate::errors::raised;
 use crate::solver::Solver;
 
+/// The units of length and of stress, as they stand on axes; empty where the scene names none.
+pub fn units(scene: &recede::Scene) -> (String, String) {
+    scene.units.as_ref().map_or_else(Default::default, |units| (units.length.clone(), units.stress()))
+}
+
 /// Stresses and displacements inside a stack, stresses positive in tension.
 #[pyclass(frozen, module = "recede", weakref)]
 pub struct Field {
@@ -67,6 +72,65 @@ impl Field {
         let grid =
             py.detach(|| self.inner.grid(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
         arrays.call_method1("fields", (self.columns(py, grid.points())?, (depths.len(), xs.len())))
+    }
+
+    /// The same layer by layer, on grids that reach the faces of layers, since stresses along the layers jump there: a list.
+    fn by_layer<'py>(
+        &self,
+        py: Python<'py>,
+        x: &Bound<'py, PyAny>,
+        depth: &Bound<'py, PyAny>,
+    ) -> PyResult<Bound<'py, PyList>> {
+        let arrays = py.import("recede._arrays")?;
+        let (xs, depths) =
+            (read(&arrays.call_method1("line", (x, "x"))?)?, read(&arrays.call_method1("line", (depth, "depth"))?)?);
+        let grids =
+            py.detach(|| self.inner.by_layer(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
+        let all = PyList::empty(py);
+        for grid in &grids {
+            let shape = (grid.points().len() / xs.len().max(1), xs.len());
+            all.append(arrays.call_method1("fields", (self.columns(py, grid.points())?, shape))?)?;
+        }
+        Ok(all)
+    }
+
+    /// The layers, from the top: number, and the depths of top and bottom, infinite at the bottom of a half-plane.
+    #[getter]
+    fn layers(&self) -> Vec<(usize, f64, f64)> {
+        self.inner.layers().map(|(number, [top, bottom])| (number, top, bottom)).collect()
+    }
+
+    /// Where stresses are, from and to along x, and in depth.
+    fn window(&self) -> [(f64, f64); 2] {
+        self.inner.window().map(|[from, to]| (from, to))
+    }
+
+    /// Draws a quantity in all layers in colours with `matplotlib`, and returns the axes.
+    ///
+    /// Args:
+    ///     quantity: a stress, strain or displacement, by the name that it has in `at`.
+    ///     ax: axes to draw on; new ones if not given.
+    ///     x: places along x; `window` if not given.
+    ///     depth: depths, ascending; `window` if not given.
+    #[pyo3(signature = (quantity="max_shear", ax=None, *, x=None, depth=None))]
+    fn map<'py>(
+        slf: &Bound<'py, Self>,
+        quantity: &str,
+        ax: Option<Bound<'py, PyAny>>,
+        x: Option<Bound<'py, PyAny>>,
+        depth: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let scene = &slf.get().solver.scene;
+        let is_strain = quantity.starts_with("eps") || quantity.starts_with("gamma");
+        let (length, stress) = units(scene);
+        let unit = match quantity {
+            "u" | "v" | "u_r" | "u_z" => length.clone(),
+            _ if is_strain => String::new(),
+            _ => stress,
+        };
+        let along = scene.geometry.words().along;
+        let all = (slf, quantity, ax, x, depth, along, (length, unit));
+        slf.py().import("recede._plots")?.call_method1("field_map", all)
     }
 
     /// Estimate of the error of the stresses at a point, in stress.

@@ -10,7 +10,7 @@ use recede::{Approach, ApproachError, FieldError};
 use crate::arrays;
 use crate::contact::{Contact, extent};
 use crate::errors::raised;
-use crate::field::Field;
+use crate::field::{Field, units};
 use crate::solver::Solved;
 
 /// A solved scene. In a notebook it shows a table and the picture.
@@ -275,6 +275,17 @@ impl Solution {
         let profile = profile.map_err(|error| solver.failed(py, &error.into()))?;
         let columns = arrays::columns(py, recede::report::profile_columns(&profile))?;
         py.import("recede._table")?.call_method1("Columns", (columns,))
+    }
+
+    /// Draws the pressures of all contacts with `matplotlib`, and returns the axes.
+    ///
+    /// Args:
+    ///     ax: axes to draw on; new ones if not given.
+    #[pyo3(signature = (ax=None))]
+    fn plot<'py>(&self, py: Python<'py>, ax: Option<Bound<'py, PyAny>>) -> PyResult<Bound<'py, PyAny>> {
+        let scene = &self.0.scene;
+        let (profile, along) = (self.profile(py, None, 400)?, scene.geometry.words().along);
+        py.import("recede._plots")?.call_method1("pressures", (profile, ax, along, units(scene)))
     }
 
     /// All numbers as JSON, as `recede solve --format json` writes them.

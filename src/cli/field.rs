@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use recede::plot;
 use recede::report::{Format, write_field};
-use recede::{Field, FieldQuantity, Geometry, Point, Solution};
+use recede::{Field, FieldQuantity, Geometry, Point};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, outputs, solved, warn};
@@ -16,12 +16,6 @@ const LIST: [usize; 2] = [201, 101];
 const MAP: [usize; 2] = [301, 181];
 /// Most points in a table.
 const READABLE: usize = 200;
-/// Such a grid reaches this many half-lengths of the longest contact to either side, and at most this many down.
-const BESIDE: f64 = 2.0;
-const BELOW: f64 = 3.0;
-/// In a half-plane such a grid reaches this many half-lengths down.
-const GROUND: f64 = 1.5;
-
 /// Stresses and displacements inside the stack: points, a grid or a map
 #[derive(Debug, clap::Args)]
 #[command(after_help = "\
@@ -100,13 +94,13 @@ impl FieldArguments {
         let Some(format) = format else {
             // without a file there is no map
             let Some(path) = &self.out else { return Ok(()) };
-            let [xs, depths] = self.grid(&field, &solution, MAP);
+            let [xs, depths] = self.grid(&field, MAP);
             let grids = field.by_layer(&xs, &depths)?;
             let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
             return Ok(plot::save(path, &self.title.above(picture, &scene))?);
         };
         let points = if self.at.is_empty() {
-            let [xs, depths] = self.grid(&field, &solution, if format == Format::Table { TABLE } else { LIST });
+            let [xs, depths] = self.grid(&field, if format == Format::Table { TABLE } else { LIST });
             field.grid(&xs, &depths)?.points().to_vec()
         } else {
             field.points(&self.at)?
@@ -137,17 +131,10 @@ impl FieldArguments {
     }
 
     /// Places along x and depths; the default number of each unless it is given.
-    fn grid(&self, field: &Field, solution: &Solution, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
-        let (from, to) = field.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
-        let layers = if to.is_finite() { to } else { from };
-        let [left, right] = solution.ends();
-        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-        // under a line load alone: the thickness of the layers, or 1 on a half-plane, which has no length of its own
-        let longest = [half, layers].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
-        let last = if to.is_finite() { to } else { from + GROUND * longest };
-        let beside = BESIDE * longest;
-        let xs = self.x.clone().unwrap_or_else(|| spaced(middle - beside, middle + beside, columns));
-        [xs, self.depth.clone().unwrap_or_else(|| spaced(0.0, last.min(BELOW * longest), rows))]
+    fn grid(&self, field: &Field, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
+        let [[from, to], [top, bottom]] = field.window();
+        let xs = self.x.clone().unwrap_or_else(|| spaced(from, to, columns));
+        [xs, self.depth.clone().unwrap_or_else(|| spaced(top, bottom, rows))]
     }
 }
 
