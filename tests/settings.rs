@@ -31,7 +31,16 @@ fn a_scene_with_other_values_is_solved_as_if_they_were_written() {
     };
     refused("layer[2].bet=1", "did you mean `layer[2].beta`?");
     refused("layer[1].poisson=0.7", "found 0.7, allowed is -1 < poisson <= 0.5");
-    refused("force=much", "PATH=VALUE is expected, such as force=0.01, found `force=much`");
+    refused("force", "PATH=VALUE is expected, such as force=0.01, found `force`");
+    refused("force=much", "`force`: found `much`, a number is expected");
+    refused("force=3 N/mm", "has a unit, and the scene does not say in which units it is");
+    let slab = |set: &str| {
+        let run = recede(&["solve", "examples/gallery/slab_on_soil.ron", "--format", "csv", "--set", set], b"");
+        assert_eq!(run.status, Some(0), "{}", run.stderr);
+        run.stdout
+    };
+    assert_eq!(slab("layer[1].thickness=150 mm"), slab("layer[1].thickness=0.15"));
+    assert_ne!(slab("layer[1].young=\"15 GPa\""), slab("layer[1].young=31e6"));
     let sweep = recede(&["sweep", SCENE, "--set", "layer[2].beta=-0.5", "--vary", "force=[0.004]"], b"");
     let expected = recede::solve(&scene).unwrap().contacts()[0].half_length().unwrap().to_string();
     assert!(sweep.stdout.contains(&expected), "{}", sweep.stdout);

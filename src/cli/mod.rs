@@ -170,23 +170,25 @@ struct SceneFile {
 /// Other values of some quantities of a scene.
 #[derive(Debug, clap::Args)]
 struct Settings {
-    /// Give a quantity of the scene another value: `force=0.01`, `layer[2].beta=-1`; may be repeated
+    /// Give a quantity of the scene another value: `force=0.01`, `layer[2].young="31 GPa"`; may be repeated
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = setting)]
-    all: Vec<(String, f64)>,
+    all: Vec<(String, String)>,
 }
 
 impl Settings {
     /// The scene with these values.
     fn made(&self, scene: Scene) -> Result<Scene, Error> {
-        Ok(self.all.iter().try_fold(scene, |scene, (path, value)| scene.with(path, *value))?)
+        let made =
+            |scene: Scene, (path, value): &(String, String)| scene.with(path, scene.written_number(path, value)?);
+        Ok(self.all.iter().try_fold(scene, made)?)
     }
 }
 
 /// Reads PATH=VALUE.
-fn setting(text: &str) -> Result<(String, f64), String> {
+fn setting(text: &str) -> Result<(String, String), String> {
     let wrong = || format!("PATH=VALUE is expected, such as force=0.01, found `{text}`");
     let (path, value) = text.split_once('=').ok_or_else(wrong)?;
-    Ok((path.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
+    Ok((path.trim().to_owned(), value.trim().trim_matches('"').to_owned()))
 }
 
 impl SceneFile {

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::origin::{Origin, SceneError};
-use super::visible;
+use super::{Scene, visible};
 
 /// Labels of the units in which the numbers of a scene are. Numbers without a unit are not converted.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
@@ -197,6 +197,36 @@ impl Units {
         let length = Unit::read(&self.length).filter(|unit| unit.dimension == Dimension::LENGTH)?;
         let force = Unit::read(&self.force).filter(|unit| unit.dimension == Dimension::FORCE)?;
         Some(Unit::ONE.times(length, dimension.0[0]).times(force, dimension.0[1]))
+    }
+}
+
+impl Scene {
+    /// The number that a text stands for at a path: as it is, or with a unit, which is converted to the units of the scene.
+    ///
+    /// ```
+    /// let scene = recede::Scene::read("examples/gallery/slab_on_soil.ron")?;
+    /// assert_eq!(scene.written_number("layer[1].young", "30 GPa")?, 30e6);
+    /// assert!(scene.written_number("layer[1].thickness", "30 GPa").is_err());
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SceneError`] if it is no number, or one in another unit.
+    pub fn written_number(&self, path: &str, text: &str) -> Result<f64, SceneError> {
+        if let Ok(number) = text.trim().parse() {
+            return Ok(number);
+        }
+        let field = path.rsplit('.').next().and_then(|field| field.split('[').next()).unwrap_or(path);
+        let dimension = match field {
+            "force" => Some(self.force_dimension()),
+            _ => Dimension::of_field(field).or(path.starts_with("punch").then_some(Dimension::LENGTH)),
+        };
+        let none = || (format!("`{path}`: found `{text}`, a number is expected"), "write it as in a scene".to_owned());
+        let found = converted(text.trim(), dimension, self.units.as_ref());
+        found.and_then(|number| number.ok_or_else(none)).map_err(|(message, hint)| {
+            let origin = Origin { file: self.file().unwrap_or("scene").into(), ..Origin::default() };
+            origin.error(None, message).hinted(Some(hint))
+        })
     }
 }
 
