@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import nullcontext
 from typing import Any
 
 from ._arrays import line
@@ -13,6 +15,8 @@ from ._table import Columns, joined
 
 #: Tasks per worker of an executor: some, so that none waits long for the others.
 TASKS = 8
+#: Parts after which progress is shown.
+SHOWN = 100
 #: Rows of a task at least, unless it is told: fewer do not outweigh the way to another process.
 LEAST = 50
 
@@ -25,6 +29,7 @@ def sweep(
     approach: bool = False,
     extremes: bool = False,
     at: Sequence[str] = (),
+    progress: bool = False,
     tolerance: float = 1e-10,
     threads: int | None = None,
     executor: Any = None,
@@ -39,6 +44,7 @@ def sweep(
         approach: adds the approach of the punch (length) and the stiffness.
         extremes: adds the stresses and strains by which layers and bonds break.
         at: adds stresses, strains or displacements at points, such as `"0,0.2@1=eps_xx"`: x, depth and layer, and a name of `Field.at`.
+        progress: shows how far the sweep has come, by `tqdm` if it is there, or else on standard error; not with an executor.
         tolerance: relative error to aim at, 1e-13 to 1e-2.
         threads: threads that compute; as many as there are processors if not given. With an executor: threads of each task, 1 if
             not given.
@@ -65,7 +71,7 @@ def sweep(
     rows = Rows(scene, axes, in_step, tolerance, (approach, extremes, list(at)))
     metadata = {"scene": scene.to_ron(), "version": __version__, "tolerance": repr(tolerance)}
     if executor is None:
-        table, complete = _part(rows, metadata, threads or os.cpu_count() or 1)
+        table, complete = _all(rows, metadata, threads or os.cpu_count() or 1, SHOWN if progress else 1)
         if not complete:
             raise Interrupted(f"interrupted after {table.rows} of {len(rows)} rows", table)
         return table
@@ -74,9 +80,44 @@ def sweep(
     return _by_executor(executor, what, rows, metadata, size, threads or 1)
 
 
-def _part(rows: Rows, metadata: Mapping[str, str], threads: int) -> tuple[Columns, bool]:
-    numbers, texts, complete = rows.run(0, len(rows), threads)
-    return _table(rows, metadata, [*numbers, *texts]), complete
+def _all(rows: Rows, metadata: Mapping[str, str], threads: int, parts: int) -> tuple[Columns, bool]:
+    count = len(rows)
+    size = max(-(-count // parts), 1)
+    done: list[Columns] = []
+    with _bar(count) if parts > 1 else nullcontext() as bar:
+        for first in range(0, count, size):
+            numbers, texts, complete = rows.run(first, min(first + size, count), threads)
+            done.append(_table(rows, metadata, [*numbers, *texts]))
+            if bar:
+                bar.update(done[-1].rows)
+            if not complete:
+                break
+    return joined(done), complete
+
+
+class _Lines:
+    """How far a sweep has come, in one line on standard error."""
+
+    def __init__(self, total: int) -> None:
+        self._total, self._done = total, 0
+
+    def update(self, rows: int) -> None:
+        self._done += rows
+        print(f"\r{self._done} of {self._total} rows", end="", file=sys.stderr, flush=True)
+
+    def __enter__(self) -> _Lines:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        print(file=sys.stderr)
+
+
+def _bar(total: int) -> Any:
+    try:
+        from tqdm.auto import tqdm  # type: ignore[import-untyped, import-not-found, unused-ignore]
+    except ImportError:
+        return _Lines(total)
+    return tqdm(total=total, unit="row")
 
 
 def _table(rows: Rows, metadata: Mapping[str, str], columns: list[Any]) -> Columns:

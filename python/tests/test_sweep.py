@@ -37,6 +37,12 @@ def test_executors_of_all_kinds_make_the_same_bits(scene, swept):
             assert recede.sweep(scene, VARY, executor=executor, chunk=7) == swept
 
 
+def test_progress_is_shown_and_changes_nothing(scene, swept, capsys):
+    assert recede.sweep(scene, VARY, progress=True) == swept
+    assert "60" in capsys.readouterr().err
+    assert recede.sweep(scene, VARY) == swept and not capsys.readouterr().err
+
+
 def test_a_cluster_makes_the_same_bits(scene, swept):
     distributed = pytest.importorskip("dask.distributed")
     with (
