@@ -29,8 +29,8 @@ Examples:
   recede sweep scene.ron --vary layer[2].beta=-3:1:41 --plot beta.svg
   recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
   recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
-  recede sweep scene.ron --vary depth=0.01:0.1:40 --plot curve.svg --x depth --y force
-  recede sweep scene.ron --vary force=1:10:10 --at 0,0.2@1=eps_xx --at 0,0.2@2=eps_yy
+  recede sweep scene.ron --vary depth=1:9:9 --plot p.svg --x depth --y force
+  recede sweep scene.ron --vary force=1:10:10 --at 0,0.2@1=eps_xx
   recede sweep scene.ron --rows samples.csv --out results.csv
   recede sweep scene.ron --set layer[1].thickness=2 --vary force=1:10:10
   recede sweep sweep.ron --out grid.csv --resume
