@@ -249,11 +249,11 @@ fn every_interface_carries_the_force() {
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let solution = model.press(&scene.top, scene.force).unwrap();
         assert!(solution.closed().iter().any(|own| !own.openings.is_empty()), "{text}");
-        // places that are dense about the middle, x = 500 sinh s/sinh 7
-        let half = 800;
-        let steps = (-half..=half).map(|k| 7.0 * f64::from(k) / f64::from(half));
+        // places that are dense about the middle, x = 100 sinh s/sinh 6
+        let half = 250;
+        let steps = (-half..=half).map(|k| 6.0 * f64::from(k) / f64::from(half));
         let (places, lengths): (Vec<f64>, Vec<f64>) = steps
-            .map(|s| (500.0 * s.sinh() / 7f64.sinh(), 500.0 * s.cosh() / 7f64.sinh() * 7.0 / f64::from(half)))
+            .map(|s| (100.0 * s.sinh() / 6f64.sinh(), 100.0 * s.cosh() / 6f64.sinh() * 6.0 / f64::from(half)))
             .unzip();
         let profile = model.profile(&scene.top, &solution, &places).unwrap();
         for own in solution.closed() {
