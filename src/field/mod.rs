@@ -23,6 +23,7 @@ mod sum;
 mod surface;
 mod transform;
 mod waves;
+mod window;
 
 use std::sync::Arc;
 
@@ -44,10 +45,6 @@ use body::{DepthRow, LoadedBody, PlacedLayer, Rows};
 use closed::{Closed, ClosedBodies};
 use surface::Components;
 
-/// How far a [`Field::window`] reaches beside the middle, and below the top face, in half-lengths of what presses; and how far into a half-plane.
-const BESIDE: f64 = 2.0;
-const BELOW: f64 = 3.0;
-const GROUND: f64 = 1.5;
 /// Rounding of stresses, in parts of the mean pressure.
 const ROUNDING: f64 = 1e-12;
 /// A depth is on an interface if it is as close to it as this, in parts of the depth.
@@ -288,30 +285,6 @@ impl Field {
         let mut points = self.lines(xs, &rows, &FULL)?.into_iter();
         let grid = |count| Grid { xs: xs.to_vec(), points: points.by_ref().take(count).flatten().collect() };
         Ok(counts.into_iter().map(grid).collect())
-    }
-
-    /// Where stresses are, from and to along x, and in depth: two half-lengths to either side of what presses and opens, and through all layers and one and a half half-lengths into a half-plane, but
-    /// no deeper than three.
-    ///
-    /// ```
-    /// # use recede::{HalfPlane, Model, Plane, Punch, Stack};
-    /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
-    /// let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let half_length = solution.contacts()[0].reach();
-    /// assert_eq!(model.field(&solution)?.window(), [[-2.0 * half_length, 2.0 * half_length], [0.0, 1.5 * half_length]]);
-    /// # Ok::<(), recede::Error>(())
-    /// ```
-    pub fn window(&self) -> [[f64; 2]; 2] {
-        let ends = || self.pressures.iter().flat_map(|pressure| pressure.ends.iter().copied());
-        let right = ends().fold(f64::NEG_INFINITY, f64::max);
-        let left = if self.is_even { -right } else { ends().fold(f64::INFINITY, f64::min) };
-        let (middle, half) = (self.middle + 0.5 * (left + right), 0.5 * (right - left));
-        let (from, to) = self.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
-        let layers = if to.is_finite() { to } else { from };
-        // under a line load alone: the thickness of the layers, or 1 on a half-plane, which has no length of its own
-        let longest = [half, layers].into_iter().find(|length| *length > 0.0).unwrap_or(1.0);
-        let last = if to.is_finite() { to } else { from + GROUND * longest };
-        [[middle - BESIDE * longest, middle + BESIDE * longest], [0.0, last.min(BELOW * longest)]]
     }
 
     /// Points in rows at the same places along x.
