@@ -148,6 +148,7 @@ impl Model {
             top,
             gaps: &self.gaps.0,
             weights: &[],
+            by_dents: &[],
             tolerance: options.tolerance,
         }
     }
@@ -192,11 +193,12 @@ impl Model {
         ledger.ok_or_else(|| NoSolution::NotConverged.into())
     }
 
-    /// Refuses a solution of another stack, and one with openings.
+    /// Refuses a solution of another stack, and one with openings, or with dents that weights press flat.
     fn check_closed(&self, solution: &Solution) -> Result<(), FieldError> {
         self.check_owns(solution)?;
         let is_open = |own: &ClosedInterface| !own.openings.is_empty();
-        if solution.closed().iter().any(is_open) { Err(FieldError::Openings) } else { Ok(()) }
+        let has_dents = self.closed.as_ref().is_some_and(|(_, weights)| weights.has_dents());
+        if has_dents || solution.closed().iter().any(is_open) { Err(FieldError::Openings) } else { Ok(()) }
     }
 
     /// Refuses a solution of another stack.

@@ -6,12 +6,11 @@ use std::f64::consts::{PI, SQRT_2};
 
 use crate::field::ContactPressure;
 use crate::kernel::{Kernel, Panel};
-use crate::numeric::bessel;
 use crate::numeric::longest;
 use crate::numeric::quadrature::{LARGEST, points, rule};
-use crate::numeric::trigonometry;
+use crate::numeric::waves::Waves;
 use crate::solution::{ClosedInterface, Interface, Separation, Solution};
-use crate::stack::Stack;
+use crate::stack::{Dent, Stack};
 use crate::system::Unresolved;
 
 /// Steps between places at which pressures and their slopes are found, over the mean wavelength, or in parts of how far from what presses they are looked at, and away from
@@ -21,8 +20,6 @@ const PARTS: f64 = 64.0;
 const FARTHER: f64 = 0.1;
 /// Where places beside a least pressure have less than this part of the lowest one, another one is lower.
 const NEARLY: f64 = 0.5;
-/// Steps by false position to a place of least pressure at most, which take some ten.
-const STEPS: usize = 60;
 /// Forces are scaled at most so often until the first interface opens.
 const SCALINGS: usize = 30;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
@@ -50,14 +47,9 @@ pub(crate) struct Weights {
     pub(crate) interfaces: Vec<(Interface, f64)>,
     /// The number of the contact above them.
     above: usize,
-}
-
-/// The waves of a pressure, as amplitudes of cos λx and sin λx, or about an axis of J₀(λr).
-struct Waves {
-    wavenumbers: Vec<f64>,
-    amplitudes: [Vec<f64>; 2],
-    is_even: bool,
-    is_round: bool,
+    /// The interfaces with a dent, by their numbers from 1, and what dents that are pressed flat do to the pressure on each interface; none if there are no dents.
+    dents: Vec<(usize, Dent)>,
+    pub(crate) by_dents: Vec<Waves>,
 }
 
 impl Weights {
@@ -67,8 +59,20 @@ impl Weights {
         if above == weights.len() {
             return Ok(None);
         }
-        let interfaces = stack.contacts().into_iter().skip(1).zip(weights).skip(above).collect();
-        Ok(Some(Self { kernel: Kernel::of_openings(&stack.pressed())?, interfaces, above }))
+        let interfaces: Vec<(Interface, f64)> = stack.contacts().into_iter().skip(1).zip(weights).skip(above).collect();
+        let dent =
+            |(number, (interface, _)): (usize, &(Interface, f64))| Some((number + 1, stack.gaps().dent(*interface)?));
+        let dents: Vec<(usize, Dent)> = interfaces.iter().enumerate().filter_map(dent).collect();
+        let kernel = Kernel::of_openings(&stack.pressed())?;
+        let own = Self { kernel, interfaces, above, dents, by_dents: Vec::new() };
+        let pressed = if own.dents.is_empty() { 0 } else { own.interfaces.len() };
+        let by_dents = (1..=pressed).map(|i| own.with_dents(i, Waves::default(), 0.0, 2.0 * own.farthest())).collect();
+        Ok(Some(Self { by_dents, ..own }))
+    }
+
+    /// Whether there is a dent.
+    pub(crate) fn has_dents(&self) -> bool {
+        !self.dents.is_empty()
     }
 
     /// The interfaces under what presses on the contact above them, all closed, and where layers would pull most for their weight, of what is even on the right, with the number of that interface, from 1.
@@ -76,7 +80,7 @@ impl Weights {
         let middle = solution.about().unwrap_or(0.0);
         let contact = &solution.contacts()[self.above];
         let error = self.above_error(solution);
-        let is_even = solution.about().is_some();
+        let is_even = solution.about().is_some() && (middle == 0.0 || !self.has_dents());
         let pressure = ContactPressure::new(contact, is_even, middle);
         let ends: Vec<f64> =
             contact.intervals.iter().flat_map(|own| [own.left, own.right]).map(|end| end - middle).collect();
@@ -84,6 +88,7 @@ impl Weights {
         let mut deepest = 0.0;
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
             let waves = self.waves(i + 1, (&pressure, is_even), &ends);
+            let waves = self.with_dents(i + 1, waves, middle, self.farthest() + longest(ends.iter().copied()));
             let [central, _] = waves.at(-middle);
             let (x, least, tension) = self.least(&waves, *weight, &ends);
             // where one interface opens, others need not
@@ -198,6 +203,39 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_even, is_round }
     }
 
+    /// Waves about a middle on interface i with what dents that are pressed flat add: the slope g' of the gap is that of −g', and a gap −g that opens makes the pressure −μ₀M ĝ' with ĝ' = −λĝ.
+    fn with_dents(&self, i: usize, mut waves: Waves, middle: f64, reach: f64) -> Waves {
+        let (kernel, length) = (&self.kernel, self.kernel.length());
+        for (number, dent) in &self.dents {
+            let pair = kernel.neighbours(i).find(|(other, _)| other == number).map(|(_, pair)| pair);
+            let pressure = |zeta: f64| match pair {
+                Some(pair) => kernel.coupling(pair, zeta),
+                None => kernel.asymptote(i).limit + kernel.remainder(i, zeta),
+            };
+            let last = length * dent.shortest();
+            let panels = kernel.panels.iter().map(|panel| [panel.from, panel.to]).filter(|[from, _]| *from < last);
+            let panels: Vec<[f64; 2]> = panels.map(|[from, to]| [from, to.min(last)]).collect();
+            let beyond = panels.iter().map(|[_, to]| *to).fold(0.0, f64::max);
+            let count = ((last - beyond) / (length / dent.half_width)).ceil() as usize;
+            let part = |k: usize| beyond + (last - beyond) * k as f64 / count as f64;
+            for [from, to] in panels.into_iter().chain((0..count).map(|k| [part(k), part(k + 1)])) {
+                let needed = points((reach + 2.0 * dent.half_width) / length * (to - from), DIGITS);
+                let parts = needed.div_ceil(LARGEST);
+                let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
+                for (zeta, weight) in (0..parts).flat_map(|k| rule(needed.div_ceil(parts)).on(at(k), at(k + 1))) {
+                    let wave = zeta / length;
+                    let amplitude =
+                        -kernel.modulus() / PI * pressure(zeta) * wave * dent.transform(wave) * weight / length;
+                    let (sin, cos) = (wave * middle).sin_cos();
+                    waves.wavenumbers.push(wave);
+                    waves.amplitudes[0].push(amplitude * cos);
+                    waves.amplitudes[1].push(-amplitude * sin);
+                }
+            }
+        }
+        waves
+    }
+
     /// Where waves are lowest, how low they are there, and from where to where layers come apart about that if this is more tension than a weight is pressure.
     fn least(&self, waves: &Waves, weight: f64, ends: &[f64]) -> (f64, f64, Option<[f64; 2]>) {
         let farthest = self.farthest();
@@ -244,61 +282,5 @@ impl Weights {
         let tensile = [ends(&mut (0..after).rev()), ends(&mut (after..=last))];
         // a short opening is √2 as long as the pressure over it would be tension; where layers pull elsewhere is seen once they are apart here
         (x, least, Some(tensile.map(|end| x + SQRT_2 * (end - x))))
-    }
-}
-
-impl Waves {
-    /// The value at a place, and its derivative.
-    fn at(&self, x: f64) -> [f64; 2] {
-        let phases: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * x).collect();
-        let [mut value, mut slope] = [0.0; 2];
-        let [even, odd] = &self.amplitudes;
-        if self.is_round {
-            let mut table = vec![0.0; 2 * phases.len()];
-            bessel::table(2, &phases, &mut table);
-            let (zeroth, first) = table.split_at(phases.len());
-            for (k, wave) in self.wavenumbers.iter().enumerate() {
-                value += even[k] * zeroth[k];
-                slope -= wave * even[k] * first[k];
-            }
-            return [value, slope];
-        }
-        let [sines, cosines, _] = trigonometry::waves(&phases);
-        for (k, wave) in self.wavenumbers.iter().enumerate() {
-            value += even[k] * cosines[k] + odd[k] * sines[k];
-            slope += wave * (odd[k] * cosines[k] - even[k] * sines[k]);
-        }
-        [value, slope]
-    }
-
-    /// Where the slope vanishes between two places at which it is known, before the second of which the value rises: by false position, in which an end that stays counts for half
-    /// of its slope.
-    fn flat(&self, [mut from, mut to]: [f64; 2], [mut falls, mut rises]: [f64; 2]) -> f64 {
-        let between = |[from, to]: [f64; 2], [falls, rises]: [f64; 2]| from - falls * (to - from) / (rises - falls);
-        let (mut x, mut last) = (between([from, to], [falls, rises]), 0.0);
-        for _ in 0..STEPS {
-            let slope = self.at(x)[1];
-            let side = if slope < 0.0 { -1.0 } else { 1.0 };
-            let stays = if side == last { 0.5 } else { 1.0 };
-            if side < 0.0 {
-                (from, falls, rises) = (x, slope, stays * rises);
-            } else {
-                (to, rises, falls) = (x, slope, stays * falls);
-            }
-            let next = between([from, to], [falls, rises]);
-            let is_inside = from < next && next < to;
-            if !is_inside || (next - x).abs() <= ROUNDING * x.abs() {
-                return if is_inside { next } else { x };
-            }
-            (x, last) = (next, side);
-        }
-        x
-    }
-
-    /// The mean of the wavenumbers, by the sizes of waves.
-    fn mean_wavenumber(&self) -> f64 {
-        let sizes = || self.amplitudes[0].iter().zip(&self.amplitudes[1]).map(|(even, odd)| even.hypot(*odd));
-        let sum: f64 = sizes().zip(&self.wavenumbers).map(|(size, wave)| size * wave).sum();
-        sum / sizes().sum::<f64>()
     }
 }

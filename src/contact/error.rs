@@ -35,6 +35,11 @@ pub enum ContactError {
         /// The angle by which it is turned, in radians.
         angle: f64,
     },
+    /// A punch on layers with a dent that weights press flat, which bends the face under it.
+    #[error(
+        "a punch presses on layers with a dent that weights press flat: what that does to the face under the punch is not told"
+    )]
+    DentUnderPunch,
     /// A depth of a punch where layers that weights press together come apart.
     #[error(
         "`depth`: layers that weights press together come apart, and the force is not found there for which the punch sinks so far"
@@ -64,6 +69,7 @@ impl ContactError {
         match self {
             Self::NotCollocated
             | Self::DepthWithOpenings
+            | Self::DentUnderPunch
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
             | Self::UnevenPunch
@@ -88,6 +94,7 @@ impl ContactError {
                 }
                 .to_owned(),
             ),
+            Self::DentUnderPunch => Some("give the pressure of the punch as `load` or `loads`".to_owned()),
             Self::DepthWithOpenings => Some("give the force, or `half_length`, `left` or `right`".to_owned()),
             Self::UnevenPunch => Some(
                 "write it as one of `punches: [(shape: ..., at: ..., force: ...), ...]`, with `force`, `depth`, `left` or `right`"

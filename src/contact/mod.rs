@@ -17,6 +17,7 @@ mod thin;
 use std::borrow::Cow;
 
 use crate::kernel::Kernel;
+use crate::numeric::waves::Waves;
 use crate::scene::{Force, Gap, Top};
 use crate::solution::{Contact, Controlled, Interface, Ledger, OwnerKey, Solution};
 
@@ -43,6 +44,8 @@ pub(crate) struct Asked<'a> {
     pub(crate) gaps: &'a [(Interface, Gap)],
     /// The pressures of weights and on top that keep interfaces closed but for openings.
     pub(crate) weights: &'a [(Interface, f64)],
+    /// What dents that are pressed flat do to these.
+    pub(crate) by_dents: &'a [Waves],
     /// Relative error wanted.
     pub(crate) tolerance: f64,
 }
@@ -161,7 +164,9 @@ impl Asked<'_> {
     /// The problem on its kernel with a force in the units of the scene.
     pub(crate) fn problem<'b>(&'b self, kernel: &'b Kernel, force: f64) -> Problem<'b> {
         match kernel.has_openings() {
-            true => Problem::opened(kernel, self.interfaces, (self.top, self.weights), force, self.tolerance),
+            true => {
+                Problem::opened(kernel, self.interfaces, self.top, (self.weights, self.by_dents), force, self.tolerance)
+            }
             false => Problem::new(kernel, self.interfaces, (self.top, self.gaps), force, self.tolerance),
         }
     }

@@ -10,7 +10,7 @@ use recede_layers::{Plane, Wave};
 use super::strip::TabulatedStrip;
 use super::transform::Transform;
 use crate::solution::{ClosedInterface, Contact, Strip};
-use crate::stack::Stack;
+use crate::stack::{Dent, Gaps, Stack};
 use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain};
 
 /// A wave as short as this, over the thickness of the stack, sees no more of it than faces.
@@ -27,6 +27,8 @@ pub(super) struct ClosedBodies {
     top: Vec<TabulatedStrip>,
     /// The slopes of the gaps of each interface, as pressures.
     slopes: Vec<Vec<TabulatedStrip>>,
+    /// The dents of each interface, which are pressed flat but for openings.
+    dents: Vec<Option<Dent>>,
 }
 
 /// The pressure of one interface.
@@ -40,12 +42,13 @@ pub(super) struct Closed {
 }
 
 impl ClosedBodies {
-    pub(super) fn new(stack: &Stack, modulus: f64, top: &Contact, closed: &[ClosedInterface]) -> Self {
+    pub(super) fn new(stack: &Stack, modulus: f64, top: &Contact, closed: &[ClosedInterface], gaps: &Gaps) -> Self {
         let top = top.strips.iter().map(TabulatedStrip::new).collect();
         let system = BlockSystem::new(stack);
         let slopes = closed.iter().map(|own| own.slopes.iter().map(TabulatedStrip::new).collect()).collect();
         let (laminates, base, plane) = (FreeChain::all(&system), BaseChain::of(&system), stack.plane());
-        Self { laminates, base, plane, modulus, top, slopes }
+        let dents = closed.iter().map(|own| gaps.dent(own.interface)).collect();
+        Self { laminates, base, plane, modulus, top, slopes, dents }
     }
 
     /// All of its contacts at one wavenumber; `None` if a layer's states are not finite.
@@ -86,7 +89,9 @@ impl Closed {
     /// An amplitude of p̂ at a wavenumber, of this interface with these slopes.
     pub(super) fn envelope(&self, slopes: &[TabulatedStrip], wavenumber: f64) -> f64 {
         let sum = |strips: &[TabulatedStrip]| strips.iter().map(|one| one.envelope(wavenumber)).sum::<f64>();
-        sum(&self.bodies.top) + self.stiffness * sum(slopes)
+        let dent = self.bodies.dents[self.number - 1];
+        let flat = dent.map_or(0.0, |dent| wavenumber * dent.transform(wavenumber));
+        sum(&self.bodies.top) + self.stiffness * (sum(slopes) + flat)
     }
 
     /// The transforms at some wavenumbers; no numbers where a layer's states are not finite.
@@ -96,8 +101,11 @@ impl Closed {
         let of = |(k, wavenumber): (usize, &f64)| {
             let Some(closed) = self.bodies.at(*wavenumber) else { return Transform::none() };
             let (carried, lost) = (closed.carried(self.number), closed.lost(self.number));
-            let by_gaps = slopes.iter().enumerate().map(|(other, slopes)| {
-                Complex64::I * self.bodies.modulus * closed.pressure(self.number, other + 1) * slopes[k].value
+            let by_gaps = slopes.iter().zip(&self.bodies.dents).enumerate().map(|(other, (slopes, dent))| {
+                // where layers touch, the slope of a dent is taken away
+                let flat = dent.map_or(0.0, |dent| wavenumber * dent.transform(*wavenumber));
+                let slope = slopes[k].value + Complex64::I * flat;
+                Complex64::I * self.bodies.modulus * closed.pressure(self.number, other + 1) * slope
             });
             let by_gaps: Complex64 = by_gaps.sum();
             Transform {

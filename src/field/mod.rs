@@ -115,7 +115,10 @@ impl Field {
         let plane = stack.plane();
         let layers = body::layers(stack);
         let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
-        let about = solution.about();
+        let gaps = stack.gaps().dents();
+        // dents are about x = 0
+        let is_at_middle = |middle: &f64| *middle == 0.0 || solution.closed().is_empty() || gaps.0.is_empty();
+        let about = solution.about().filter(is_at_middle);
         let (is_even, middle) = (about.is_some(), about.unwrap_or(0.0));
         let contacts = solution.contacts();
         // interfaces that come apart, counted from the middle
@@ -125,7 +128,7 @@ impl Field {
         let pressure = |contact| ContactPressure::new(contact, is_even, middle);
         let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         if let (false, Some(top)) = (closed.is_empty(), contacts.first()) {
-            let bodies = Arc::new(ClosedBodies::new(stack, modulus, &top.clone().moved(-middle), &closed));
+            let bodies = Arc::new(ClosedBodies::new(stack, modulus, &top.clone().moved(-middle), &closed, &gaps));
             let of = |(k, own): (usize, &ClosedInterface)| {
                 ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, stack.total_thickness()))
             };
@@ -158,7 +161,7 @@ impl Field {
             middle,
             joints,
             // what weights press flat is no gap
-            gaps: if closed.is_empty() { stack.gaps() } else { Gaps::default() },
+            gaps: if closed.is_empty() { stack.gaps() } else { gaps },
             apart: Vec::new(),
             modulus,
             contrast: largest / smallest,
@@ -166,9 +169,9 @@ impl Field {
             base: is_joined.then(|| below.foundation().number()),
             pressure_error: 0.0,
         };
-        let apart = contacts.iter().zip(&field.joints);
-        field.apart = apart.map(|(own, joint)| joint.map(|x| field.gaps.height(own.interface, x + middle))).collect();
-        field.apart.resize(field.joints.len(), [0.0; 2]);
+        let interfaces = contacts.iter().map(|own| own.interface).chain(closed.iter().map(|own| own.interface));
+        let apart = interfaces.zip(&field.joints);
+        field.apart = apart.map(|(own, joint)| joint.map(|x| field.gaps.height(own, x + middle))).collect();
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
         field.pressure_error = contacts.iter().enumerate().map(error).sum();
         field

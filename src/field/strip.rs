@@ -33,8 +33,10 @@ impl TabulatedStrip {
         let mut strip = strip.clone();
         let (series, skew) = (&mut strip.coefficients, &mut strip.skew);
         if strip.form == Form::Series {
+            // terms that are odd alone have even ones beside them
+            series.resize(series.len().max(skew.len()), 0.0);
             // the resultant remains
-            let largest = series.iter().chain(&strip.corners).fold(0.0, |a: f64, c| a.max(c.abs()));
+            let largest = series.iter().chain(&*skew).chain(&strip.corners).fold(0.0, |a: f64, c| a.max(c.abs()));
             let term = |m: usize| series[m].abs() + skew.get(m).map_or(0.0, |c| c.abs());
             let mut left_out = 0.0;
             let is_negligible = |m: &usize| {

@@ -18,6 +18,9 @@ impl Model {
     /// A solution with the interfaces that weights keep closed.
     pub(super) fn with_closed(&self, top: &Top, options: &Options, solution: Solution) -> Result<Solution, Error> {
         let Some((_, weights)) = &self.closed else { return Ok(solution) };
+        if weights.has_dents() && top.punches().is_some() {
+            return Err(ContactError::DentUnderPunch.into());
+        }
         let (closed, tensile) = weights.under(&solution);
         let Some((number, _)) = tensile else { return Ok(Solution { closed, ..solution }) };
         if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
@@ -96,11 +99,14 @@ impl Model {
 
     fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
         let (_, weights) = self.closed.as_ref()?;
-        weights.separation(solution, top.loads().is_some(), |factor| Some(self.scaled(top, solution, factor)?.1))
+        weights.separation(solution, top.loads().is_some() && !weights.has_dents(), |factor| {
+            Some(self.scaled(top, solution, factor)?.1)
+        })
     }
 
     /// The same question where interfaces are closed but for openings.
     pub(super) fn with_weights<'a>(asked: &Asked<'a>, weights: &'a Weights, interfaces: &'a [Interface]) -> Asked<'a> {
-        Asked { kernel: &weights.kernel, interfaces, weights: &weights.interfaces, gaps: &[], ..*asked }
+        let (kernel, by_dents) = (&weights.kernel, &weights.by_dents[..]);
+        Asked { kernel, interfaces, weights: &weights.interfaces, by_dents, gaps: &[], ..*asked }
     }
 }

@@ -6,6 +6,7 @@ pub(crate) mod means;
 pub mod quadrature;
 pub(crate) mod trigonometry;
 pub(crate) mod vector;
+pub(crate) mod waves;
 pub(crate) mod workspace;
 
 /// Σ a_i b_i.

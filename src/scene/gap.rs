@@ -17,9 +17,17 @@ impl Gap {
         punch.unwrap_or_else(|| Shape::powers(1.0, Vec::new())).bent(self.curvature)
     }
 
-    /// Whether a circle or sharp corners are to be bent, which no shape is known for.
+    /// Depth and half-width of a dent, if it is one.
+    pub(crate) fn dent(&self) -> Option<[f64; 2]> {
+        match self.punch.as_ref().map(Punch::shape) {
+            Some(Shape::Dent { depth, half_width }) => Some([depth, half_width]),
+            _ => None,
+        }
+    }
+
+    /// Whether a circle, sharp corners or a dent are to be bent, which no shape is known for.
     pub(crate) fn is_unknown(&self) -> bool {
         let punch = self.punch.as_ref().map(Punch::shape);
-        self.curvature != 0.0 && matches!(punch, Some(Shape::Circle(_) | Shape::Flat(_)))
+        self.curvature != 0.0 && matches!(punch, Some(Shape::Circle(_) | Shape::Flat(_) | Shape::Dent { .. }))
     }
 }

@@ -76,6 +76,13 @@ pub enum Punch {
     /// Heights at distances from the tip, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
     /// them. If the left is not the mirror image of the right, the distances on the left are negative.
     Table(Heights),
+    /// A dent, of layers that lie on each other: a gap depth · exp(−(x/half_width)²), and no punch.
+    Dent {
+        /// The gap in the middle, in length.
+        depth: Positive,
+        /// Where the gap is less by a factor e, in length.
+        half_width: Positive,
+    },
     /// A circular cylinder of an elastic material: it is flattened like a half-plane.
     ElasticCylinder(ElasticCylinder),
 }
@@ -209,6 +216,17 @@ impl Punch {
         ElasticCylinder::new(radius, shear_modulus, poisson).map(Self::ElasticCylinder)
     }
 
+    /// A dent of layers that lie on each other, depth · exp(−(x/half_width)²), both > 0, in length: a gap, and no punch.
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if a number is not legal.
+    pub fn dent(depth: f64, half_width: f64) -> Result<Self, ValueError> {
+        Ok(Self::Dent {
+            depth: ValueError::checked("depth", depth)?,
+            half_width: ValueError::checked("half_width", half_width)?,
+        })
+    }
+
     /// What the profile is made of.
     pub(crate) fn shape(&self) -> Shape<'_> {
         match self {
@@ -233,6 +251,7 @@ impl Punch {
             }
             Self::Flat { half_width } => Shape::Flat(half_width.get()),
             Self::Table(heights) => heights.shape(),
+            Self::Dent { depth, half_width } => Shape::Dent { depth: depth.get(), half_width: half_width.get() },
         }
     }
 
@@ -301,6 +320,7 @@ mod tests {
             Punch::flat(1.5).unwrap(),
             Punch::table(&[(0.0, 0.0), (0.5, 0.1), (1.0, 0.5), (1.5, 1.0)]).unwrap(),
             Punch::elastic_cylinder(2.0, 3.0, 0.25).unwrap(),
+            Punch::dent(0.1, 0.7).unwrap(),
             Punch::uneven_wedge(0.2, 0.1).unwrap(),
             Punch::table(&[(-1.6, 0.9), (-0.7, 0.3), (0.0, 0.1), (0.3, 0.2), (1.5, 1.9)]).unwrap(),
             Punch::table(&[(-1.5, 1.9), (-0.3, 0.2), (0.0, 0.1), (0.3, 0.2), (1.5, 1.9)]).unwrap(),

@@ -60,6 +60,13 @@ pub(super) enum RoundPunch {
     /// Heights at distances from the axis, as in `Table([(0, 0), (0.5, 0.01), (1, 0.05)])`, with a smooth curve through
     /// them.
     Table(RoundHeights),
+    /// A dent, of layers that lie on each other: a gap depth · exp(−(r/radius)²), and no punch.
+    Dent {
+        /// The gap in the middle, in length.
+        depth: Positive,
+        /// Where the gap is less by a factor e, in length.
+        radius: Positive,
+    },
     /// A sphere of an elastic material: it is flattened like a half-space.
     ElasticSphere(ElasticCylinder),
 }
@@ -124,6 +131,7 @@ same!(Punch and RoundPunch:
     RoundedFlat { half_width: flat_radius, radius } is RoundedFlat { flat_radius, radius },
     Flat { half_width: radius } is Flat { radius },
     Table(heights) is Table(RoundHeights(heights)),
+    Dent { depth, half_width: radius } is Dent { depth, radius },
     ElasticCylinder(sphere) is ElasticSphere(sphere),
 );
 

@@ -1,6 +1,9 @@
 //! The profile of a punch: heights, slopes, curvatures, and where it is not smooth.
 use std::borrow::Cow;
 
+/// A dent is flat to rounding from here on, in half-widths.
+const FLAT: f64 = 6.1;
+
 /// A profile with its tip at x = 0, one of a few kinds that all punches are made of.
 #[derive(Clone, Debug)]
 pub(crate) enum Shape<'a> {
@@ -19,6 +22,13 @@ pub(crate) enum Shape<'a> {
     Circle(f64),
     /// 0 up to where it ends.
     Flat(f64),
+    /// d (exp(−(x/c)²) − 1), which falls from 0 to −d.
+    Dent {
+        /// d, in length.
+        depth: f64,
+        /// c, in length.
+        half_width: f64,
+    },
     /// Cubic polynomials one after the other.
     Pieces {
         /// The polynomials, from left to right, with a start at the tip.
@@ -99,7 +109,7 @@ impl Shape<'_> {
         Self::Powers { length, terms, tilt: 0.0, end: None }
     }
 
-    /// With a slope that grows by a curvature times x more; circles and sharp corners stay what they are.
+    /// With a slope that grows by a curvature times x more; circles, sharp corners and dents stay as they are.
     pub(crate) fn bent(mut self, curvature: f64) -> Self {
         match &mut self {
             Self::Powers { length, terms, .. } => {
@@ -118,7 +128,7 @@ impl Shape<'_> {
                     *c2 += 0.5 * curvature;
                 }
             }
-            Self::Circle(_) | Self::Flat(_) => {}
+            Self::Circle(_) | Self::Flat(_) | Self::Dent { .. } => {}
         }
         self
     }
@@ -141,6 +151,7 @@ impl Shape<'_> {
             }
             Self::Circle(edge) | Self::Flat(edge) if x.abs() > *edge => f64::INFINITY,
             Self::Flat(_) => 0.0,
+            Self::Dent { depth, half_width } => depth * (-(x / half_width).powi(2)).exp_m1(),
             // R − √(R² − x²) without the difference of two large numbers
             Self::Circle(radius) => x * (x / radius) / (1.0 + cosine(x / radius)),
             Self::Pieces { .. } => self.piece(x, |t, [c0, c1, c2, c3]| c0 + t * (c1 + t * (c2 + t * c3))),
@@ -158,6 +169,10 @@ impl Shape<'_> {
             }
             Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => sign * f64::INFINITY,
             Self::Flat(_) => 0.0,
+            Self::Dent { depth, half_width } => {
+                let s = x / half_width;
+                -2.0 * depth / half_width * s * (-s * s).exp()
+            }
             Self::Circle(radius) => sign * (x.abs() / radius / cosine(x / radius)),
             Self::Pieces { .. } => self.piece(x, |t, [_, c1, c2, c3]| c1 + t * (2.0 * c2 + t * 3.0 * c3)),
         }
@@ -174,6 +189,10 @@ impl Shape<'_> {
             }
             Self::Circle(edge) | Self::Flat(edge) if x.abs() >= *edge => f64::INFINITY,
             Self::Flat(_) => 0.0,
+            Self::Dent { depth, half_width } => {
+                let square = (x / half_width).powi(2);
+                2.0 * depth / (half_width * half_width) * (2.0 * square - 1.0) * (-square).exp()
+            }
             Self::Circle(radius) => radius.recip() / cosine(x / radius).powi(3),
             Self::Pieces { .. } => self.piece(x, |t, [_, _, c2, c3]| 2.0 * c2 + t * 6.0 * c3),
         }
@@ -187,7 +206,7 @@ impl Shape<'_> {
                 let right = &pieces[pieces.partition_point(|piece| piece.start < 0.0)..];
                 even(right, *end)[..] == pieces[..]
             }
-            Self::Circle(_) | Self::Flat(_) => true,
+            Self::Circle(_) | Self::Flat(_) | Self::Dent { .. } => true,
         }
     }
 
@@ -200,6 +219,7 @@ impl Shape<'_> {
                 Some(0.5 * (right - left)).filter(|half| half.is_finite())
             }
             Self::Powers { end, .. } => *end,
+            Self::Dent { .. } => None,
         }
     }
 
@@ -229,6 +249,7 @@ impl Shape<'_> {
                 turns.filter(|turn| end.is_none_or(|end| *turn < end)).collect()
             }
             Self::Circle(_) | Self::Flat(_) => Vec::new(),
+            Self::Dent { half_width, .. } => vec![FLAT * half_width],
             Self::Pieces { pieces, end, .. } => {
                 let ends = pieces.iter().skip(1).map(|piece| piece.start).chain([*end]);
                 pieces.iter().zip(ends).filter_map(|(piece, end)| piece.last_fall(end)).collect()
@@ -250,7 +271,7 @@ impl Shape<'_> {
                 pieces.iter().find(|piece| piece.start >= 0.0 && !is_level(piece)).map_or(0.0, |piece| piece.start)
             }
             Self::Flat(edge) => *edge,
-            Self::Pieces { .. } | Self::Powers { .. } | Self::Circle(_) => 0.0,
+            Self::Pieces { .. } | Self::Powers { .. } | Self::Circle(_) | Self::Dent { .. } => 0.0,
         }
     }
 
@@ -263,7 +284,7 @@ impl Shape<'_> {
     pub(crate) fn is_smooth(&self) -> bool {
         match self {
             Self::Powers { terms, .. } => terms.iter().all(|(exponent, _)| exponent % 2.0 == 0.0),
-            Self::Circle(_) | Self::Flat(_) => true,
+            Self::Circle(_) | Self::Flat(_) | Self::Dent { .. } => true,
             Self::Pieces { .. } => false,
         }
     }

@@ -69,7 +69,7 @@ impl StackError {
             }
             StackProblem::TwoGaps => "write one gap, the sum of both",
             StackProblem::GapUnderWeight { .. } => {
-                "write `Parabola`, which weight presses flat, or leave out the gap, the weights and `pressure_on_top`"
+                "write `Parabola`, which weight presses flat, or `Dent`, or leave out the gap, the weights and `pressure_on_top`"
             }
             StackProblem::PressureOnTop(_) | StackProblem::Weight { .. } => {
                 "a stack lies on its base: what hangs is not solved for"
@@ -107,8 +107,10 @@ pub enum StackProblem {
         /// Whether the shape of the gap cannot be bent.
         is_unknown: bool,
     },
-    /// A gap that is not a parabola between layers that are pressed together far away.
-    #[error("weight presses the layers at the contact {interface} together, and the gap there is not a parabola")]
+    /// A gap that is neither a parabola nor, in the plane, a dent between layers that are pressed together far away.
+    #[error(
+        "weight presses the layers at the contact {interface} together, and the gap there is neither a parabola nor, in the plane, a dent"
+    )]
     GapUnderWeight {
         /// The contact.
         interface: Interface,

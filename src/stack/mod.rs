@@ -18,7 +18,7 @@ use recede_layers::{Body, Isotropic, Layer, Plane, Support};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
-pub(crate) use gaps::Gaps;
+pub(crate) use gaps::{Dent, Gaps};
 pub use joint::Joint;
 pub(crate) use residual::{ResidualStrain, residual_stress};
 

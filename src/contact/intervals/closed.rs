@@ -59,7 +59,8 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
     let own = Gaps::new(problem, &layout, level);
     let mut found = Vec::new();
     for contact in opened {
-        let Side::Openings(weight) = problem.sides[contact] else { continue };
+        let Side::Openings(pressed) = &problem.sides[contact] else { continue };
+        let weight = pressed.weight;
         let intervals = level.support.of(contact);
         let is_closed = |x: &f64| intervals.iter().all(|own| *x < own.from() || *x > own.to());
         // waves as short as the layers at the faces feel
@@ -67,7 +68,7 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
         let mut places: Vec<f64> = places(intervals, reach, farthest, step);
         // what is even is looked at on the right
         places.retain(|x| is_closed(x) && (*x >= 0.0 || !problem.is_even()));
-        let pressures = own.pressures(contact, weight, &places);
+        let pressures = own.pressures(contact, pressed, &places);
         let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
         if pressures[least] < -COARSE.max(error) * weight {
             let is_tensile = |k: &usize| pressures[*k] < 0.0;
@@ -110,7 +111,8 @@ pub(super) fn found(
     let layout = Layout::new(problem.kernel, &lengths, negligible, problem.origin.abs())?;
     let own = Gaps::new(problem, &layout, level);
     let of = |(contact, (smallest_pressure, smallest_at)): (usize, &(f64, f64))| {
-        let Side::Openings(weight) = problem.sides[contact] else { return None };
+        let Side::Openings(pressed) = &problem.sides[contact] else { return None };
+        let weight = pressed.weight;
         let numbers = || (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
         let right: Vec<(Opening, Strip)> = numbers()
             .map(|number| opening(&level.support.0[number], &level.regular[number], errors.ends[number]))
@@ -125,7 +127,7 @@ pub(super) fn found(
         let end = openings.last().map(|last| (0.0, last.right));
         let (smallest_pressure, smallest_at) = end.unwrap_or((*smallest_pressure, *smallest_at));
         let is_open = openings.iter().any(|own| own.left <= x && x <= own.right);
-        let central = if is_open { 0.0 } else { own.pressures(contact, weight, &[x])[0] };
+        let central = if is_open { 0.0 } else { own.pressures(contact, pressed, &[x])[0] };
         Some(ClosedInterface {
             interface: problem.interfaces[contact],
             weight,

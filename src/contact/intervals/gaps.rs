@@ -9,6 +9,7 @@ use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Problem;
 use crate::contact::problem::abel;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, PLACES, SAFETY};
+use crate::contact::problem::closed::ClosedPressure;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::trigonometry::{self, sin_cos};
 use crate::numeric::vector::{LANES, Lanes, vectorised};
@@ -209,8 +210,8 @@ impl<'a> Gaps<'a> {
         Self { equations, level, waves }
     }
 
-    /// The pressure on an interface that lies on another one, which is `weight` far away, at places outside openings.
-    pub(super) fn pressures(&self, contact: usize, weight: f64, places: &[f64]) -> Vec<f64> {
+    /// The pressure on an interface that lies on another one, on which this is while nothing else presses, at places outside openings.
+    pub(super) fn pressures(&self, contact: usize, pressed: &ClosedPressure, places: &[f64]) -> Vec<f64> {
         let (Equations { layout, columns, .. }, [even, odd]) = (&self.equations, &self.waves[contact]);
         let amplitudes = self.equations.amplitudes(contact, &self.level.solved.pressures);
         let beside = columns[contact].slopes_at(places, None, &[], Some(&amplitudes));
@@ -219,7 +220,7 @@ impl<'a> Gaps<'a> {
             let [sines, cosines, _] = trigonometry::waves(&phases);
             let waves = even.iter().zip(&sines).map(|(even, sine)| even * sine).sum::<f64>()
                 - odd.iter().zip(&cosines).map(|(odd, cosine)| odd * cosine).sum::<f64>();
-            weight + waves + layout.own[contact].limit * beside[(k, 0)]
+            pressed.at(*x) + waves + layout.own[contact].limit * beside[(k, 0)]
         };
         places.iter().enumerate().map(of).collect()
     }

@@ -320,11 +320,10 @@ pub(super) fn tests(side: &Side, interval: &ContactInterval, count: usize) -> Ve
             rows.enumerate().map(|(m, value)| alternating(m) * value).collect()
         }
         Side::Profile(profile) => profile.rows(Span::anywhere(interval.middle, interval.half), count + 1),
-        // what is wanted of the change of the pressure, which is to be zero: minus the pressure of the weights
-        Side::Openings(weight) => {
-            let mut tests = vec![0.0; count + 1];
-            tests[0] = -PI * weight;
-            tests
+        // what is wanted of the change of the pressure, which is to be zero
+        Side::Openings(own) => {
+            let orders: Vec<usize> = std::iter::once(0).chain((0..count).map(|m| interval.order(m))).collect();
+            own.tests(interval.middle, interval.half, &orders)
         }
         _ => Vec::new(),
     }

@@ -3,6 +3,7 @@
 //! Every contact has a [`Side`] that says what is special about it. No other room asks which contact belongs to the punch.
 pub(crate) mod abel;
 pub(crate) mod accuracy;
+pub(crate) mod closed;
 pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
@@ -15,10 +16,12 @@ use crate::contact::error::ContactError;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::numeric::means::MeanWindow;
+use crate::numeric::waves::Waves;
 use crate::scene::{Force, Gap, Pressed, Punches, Top};
 use crate::solution::{Controlled, Interface};
 
 use accuracy::MOST_OPERATIONS;
+use closed::ClosedPressure;
 use load::Given;
 use placed::Placed;
 use profile::PunchProfile;
@@ -108,8 +111,8 @@ pub(crate) enum Side<'a> {
     Punches(Vec<Placed<'a>>),
     /// The pressure is given.
     Known(Given<'a>),
-    /// The bodies lie on each other but for openings, and this pressure is on them while nothing else presses, in units of μ₀P'.
-    Openings(f64),
+    /// The bodies lie on each other but for openings, and this pressure is on them while nothing else presses.
+    Openings(ClosedPressure<'a>),
     /// The bodies stay together on a contact of this half-length, in units of L, whether they press or pull.
     Joined(f64),
 }
@@ -139,7 +142,10 @@ impl<'a> Problem<'a> {
         let below = (1..kernel.contacts()).map(|contact| {
             let own = gaps.iter().find(|(interface, _)| interfaces.get(contact) == Some(interface));
             match own {
-                None if kernel.has_openings() => Side::Openings(0.0),
+                None if kernel.has_openings() => {
+                    let by_dents = None;
+                    Side::Openings(ClosedPressure { weight: 0.0, by_dents, length, unit: 1.0, origin })
+                }
                 None => Side::Closed,
                 Some((_, gap)) if is_even => Side::Profile(PunchProfile::gap(gap, length, force, twin)),
                 Some((_, gap)) => Side::Punches(vec![Placed::gap(gap, origin, length, force)]),
@@ -158,18 +164,25 @@ impl<'a> Problem<'a> {
         Self { kernel, interfaces, sides, origin, top, gaps, is_even, force, prescribed, tolerance, operations }
     }
 
-    /// The same on a kernel of openings, with the pressures of weights and on top that keep the layers together, in the unit of the scene.
+    /// The same on a kernel of openings, with the pressures of weights and on top that keep the layers together, and of dents that these press flat, in the unit of the scene.
     pub(crate) fn opened(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        (top, weights): (&'a Top, &[(Interface, f64)]),
+        top: &'a Top,
+        (weights, by_dents): (&[(Interface, f64)], &'a [Waves]),
         force: f64,
         tolerance: f64,
     ) -> Self {
         let mut problem = Self::new(kernel, interfaces, (top, &[]), force, tolerance);
         let unit = kernel.modulus() * problem.force;
         let below = problem.sides.iter_mut().skip(1);
-        below.zip(weights).for_each(|(side, (_, weight))| *side = Side::Openings(weight / unit));
+        let (length, origin) = (kernel.length(), problem.origin);
+        for (number, (side, (_, weight))) in below.zip(weights).enumerate() {
+            let (weight, by_dents) = (weight / unit, by_dents.get(number));
+            *side = Side::Openings(ClosedPressure { weight, by_dents, length, unit, origin });
+        }
+        // dents are about x = 0
+        problem.is_even &= by_dents.is_empty() || origin == 0.0;
         problem
     }
 

@@ -81,7 +81,7 @@ impl<'a> PunchProfile<'a> {
         match &self.shape {
             Shape::Powers { terms, .. } => terms.iter().any(|(exponent, _)| *exponent != 1.0 && exponent % 2.0 != 0.0),
             Shape::Pieces { .. } => true,
-            Shape::Circle(_) | Shape::Flat(_) => false,
+            Shape::Circle(_) | Shape::Flat(_) | Shape::Dent { .. } => false,
         }
     }
 

@@ -16,6 +16,7 @@ fn punches() -> Vec<Punch> {
         Punch::table(&[(0.0, 0.1), (0.3, 0.2), (0.9, 0.5), (1.5, 1.9)]).unwrap(),
         Punch::table(&[(-1.6, 0.9), (-0.7, 0.3), (0.0, 0.1), (0.3, 0.2), (1.5, 1.9)]).unwrap(),
         Punch::uneven_wedge(0.5, 0.2).unwrap(),
+        Punch::dent(0.2, 0.6).unwrap(),
     ]
 }
 

@@ -1,0 +1,73 @@
+//! Sums of waves, and places where these are flat.
+use super::{bessel, trigonometry};
+
+/// Steps by false position to a place of a least value at most, which take some ten.
+const STEPS: usize = 60;
+/// Places are known to so much of themselves.
+const ROUNDING: f64 = 1e-13;
+
+/// Waves with the amplitudes of cos λx and sin λx, or about an axis of J₀(λr).
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Waves {
+    pub(crate) wavenumbers: Vec<f64>,
+    pub(crate) amplitudes: [Vec<f64>; 2],
+    /// Whether there are no sines, and whether waves are about an axis.
+    pub(crate) is_even: bool,
+    pub(crate) is_round: bool,
+}
+
+impl Waves {
+    /// The value at a place, and its derivative.
+    pub(crate) fn at(&self, x: f64) -> [f64; 2] {
+        let phases: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * x).collect();
+        let [mut value, mut slope] = [0.0; 2];
+        let [even, odd] = &self.amplitudes;
+        if self.is_round {
+            let mut table = vec![0.0; 2 * phases.len()];
+            bessel::table(2, &phases, &mut table);
+            let (zeroth, first) = table.split_at(phases.len());
+            for (k, wave) in self.wavenumbers.iter().enumerate() {
+                value += even[k] * zeroth[k];
+                slope -= wave * even[k] * first[k];
+            }
+            return [value, slope];
+        }
+        let [sines, cosines, _] = trigonometry::waves(&phases);
+        for (k, wave) in self.wavenumbers.iter().enumerate() {
+            value += even[k] * cosines[k] + odd[k] * sines[k];
+            slope += wave * (odd[k] * cosines[k] - even[k] * sines[k]);
+        }
+        [value, slope]
+    }
+
+    /// Where the slope vanishes between two places at which it is known, before the second of which the value rises: by false position, in which an end that stays counts for half
+    /// of its slope.
+    pub(crate) fn flat(&self, [mut from, mut to]: [f64; 2], [mut falls, mut rises]: [f64; 2]) -> f64 {
+        let between = |[from, to]: [f64; 2], [falls, rises]: [f64; 2]| from - falls * (to - from) / (rises - falls);
+        let (mut x, mut last) = (between([from, to], [falls, rises]), 0.0);
+        for _ in 0..STEPS {
+            let slope = self.at(x)[1];
+            let side = if slope < 0.0 { -1.0 } else { 1.0 };
+            let stays = if side == last { 0.5 } else { 1.0 };
+            if side < 0.0 {
+                (from, falls, rises) = (x, slope, stays * rises);
+            } else {
+                (to, rises, falls) = (x, slope, stays * falls);
+            }
+            let next = between([from, to], [falls, rises]);
+            let is_inside = from < next && next < to;
+            if !is_inside || (next - x).abs() <= ROUNDING * x.abs() {
+                return if is_inside { next } else { x };
+            }
+            (x, last) = (next, side);
+        }
+        x
+    }
+
+    /// The mean of the wavenumbers, by the sizes of waves.
+    pub(crate) fn mean_wavenumber(&self) -> f64 {
+        let sizes = || self.amplitudes[0].iter().zip(&self.amplitudes[1]).map(|(even, odd)| even.hypot(*odd));
+        let sum: f64 = sizes().zip(&self.wavenumbers).map(|(size, wave)| size * wave).sum();
+        sum / sizes().sum::<f64>()
+    }
+}
