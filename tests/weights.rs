@@ -301,7 +301,10 @@ fn what_cannot_be_is_refused_with_the_reason() {
         scene.replace("HalfPlane(", "HalfPlane(specific_weight: 1.0, "),
         "layer 2 (HalfPlane) is a base, and has no weight",
     );
-    refused(scene.replace("Receding", "Receding(gap: Wedge(slope: 0.1))"), "the gap there is not a parabola");
+    refused(
+        scene.replace("Receding", "Receding(gap: Wedge(slope: 0.1))"),
+        "the gap there is neither a parabola nor, in the plane, a dent",
+    );
     let error = solved(&on(0.0, "geometry: Axisymmetric, load: Point, force: 200.0", "")).unwrap_err();
     let Error::NoSolution(NoSolution::LiftsOff { critical_force, .. }) = error else { panic!("{error}") };
     assert!((critical_force - 165.742949).abs() < 1e-5);

@@ -2,7 +2,7 @@
 use std::fmt::Display;
 
 use crate::approach::ApproachError;
-use crate::field::{Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity};
+use crate::field::{Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity, Grid};
 use crate::model::Model;
 use crate::profile::profile_places;
 use crate::report::{Format, Report, write_field, write_profile};
@@ -142,17 +142,22 @@ fn grid(solution: &Solution, field: &Field) -> [Vec<f64>; 2] {
 fn nowhere_larger(solution: &Solution, field: &Field, max_shear: f64, extremes: &Extremes) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
     let value = |found: Extreme| found.value;
+    let grids = step("field", field.by_layer(&xs, &depths))?;
+    // a layer may be stretched next to nowhere: strains are as right as compressions are large
+    let compressed = |layer: usize| {
+        let own = grids.iter().flat_map(Grid::points).filter(|point| point.layer == layer);
+        own.map(|point| point.principal_strains()[1].abs()).fold(0.0, f64::max)
+    };
     let tension = extremes.tension.map_or(0.0, value);
-    for point in step("field", field.by_layer(&xs, &depths))?.iter().flat_map(|grid| grid.points()) {
+    for point in grids.iter().flat_map(Grid::points) {
         let FieldPoint { x, depth, layer, .. } = *point;
         let own = extremes.layers.iter().find(|of| of.layer == layer);
         let strain = own.and_then(|of| of.tensile_strain).map_or(0.0, value);
-        let compression = point.principal_strains()[1].abs().max(strain);
         let all = [
             ("shear stress", point.max_shear(), Some(max_shear), max_shear),
             ("tension", point.principal()[0], Some(tension), max_shear),
             ("von Mises stress", point.von_mises(), own.and_then(|of| of.von_mises).map(value), max_shear),
-            ("tensile strain", point.tensile_strain(), Some(strain), compression),
+            ("tensile strain", point.tensile_strain(), Some(strain), compressed(layer)),
         ];
         for (what, here, largest, size) in all {
             // tensions are small next to pressures, which tell how large errors are
