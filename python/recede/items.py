@@ -562,6 +562,25 @@ class Table(Punch):
         self._set(rows=rows)
 
 
+class Dent(Punch):
+    """A dent, of layers that lie on each other: a gap depth · exp(−(x/half_width)²), and no punch.
+
+    Args:
+        depth: The gap in the middle, in length. Allowed: a finite number > 0.
+        half_width: Where the gap is less by a factor e, in length. Allowed: a finite number > 0.
+        radius: Where the gap is less by a factor e, in length. Allowed: a finite number > 0.
+    """
+
+    __slots__ = ("depth", "half_width", "radius")
+    _geometries = {"PlaneStrain": ("depth", "half_width"), "Axisymmetric": ("depth", "radius")}
+    depth: float | str
+    half_width: float | str | None
+    radius: float | str | None
+
+    def __init__(self, *, depth: Number, half_width: Number | None = None, radius: Number | None = None) -> None:
+        self._set(depth=depth, half_width=half_width, radius=radius)
+
+
 class ElasticCylinder(Punch):
     """A circular cylinder of an elastic material: it is flattened like a half-plane.
 
@@ -747,6 +766,7 @@ __all__ = [
     "Bonded",
     "Cone",
     "Cylinder",
+    "Dent",
     "ElasticCylinder",
     "ElasticSphere",
     "Elliptic",
