@@ -203,7 +203,7 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_even, is_round }
     }
 
-    /// Waves about a middle on interface i with what dents that are pressed flat add: the slope g' of the gap is that of −g', and a gap −g that opens makes the pressure −μ₀M ĝ' with ĝ' = −λĝ.
+    /// Waves about a middle on interface i with what dents that are pressed flat add: to take away the slope of a gap g makes the pressure μ₀M ĝ', with ĝ' = −λĝ.
     fn with_dents(&self, i: usize, mut waves: Waves, middle: f64, reach: f64) -> Waves {
         let (kernel, length) = (&self.kernel, self.kernel.length());
         for (number, dent) in &self.dents {

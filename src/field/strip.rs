@@ -33,7 +33,7 @@ impl TabulatedStrip {
         let mut strip = strip.clone();
         let (series, skew) = (&mut strip.coefficients, &mut strip.skew);
         if strip.form == Form::Series {
-            // terms that are odd alone have even ones beside them
+            // a series of odd terms alone is filled up by even terms that are zero
             series.resize(series.len().max(skew.len()), 0.0);
             // the resultant remains
             let largest = series.iter().chain(&*skew).chain(&strip.corners).fold(0.0, |a: f64, c| a.max(c.abs()));

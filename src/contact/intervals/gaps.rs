@@ -210,7 +210,7 @@ impl<'a> Gaps<'a> {
         Self { equations, level, waves }
     }
 
-    /// The pressure on an interface that lies on another one, on which this is while nothing else presses, at places outside openings.
+    /// The pressure on an interface under weight at places outside openings, from its pressure while nothing else presses.
     pub(super) fn pressures(&self, contact: usize, pressed: &ClosedPressure, places: &[f64]) -> Vec<f64> {
         let (Equations { layout, columns, .. }, [even, odd]) = (&self.equations, &self.waves[contact]);
         let amplitudes = self.equations.amplitudes(contact, &self.level.solved.pressures);

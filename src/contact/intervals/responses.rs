@@ -7,8 +7,8 @@ use crate::contact::intervals::equations::{Equations, Sampled};
 use crate::contact::intervals::waves::{AT_ONCE, Long};
 
 impl Equations<'_> {
-    /// Which part of another contact's waves a part of the effect on a contact comes from, and with which sign: a pressure and the slope of a gap are a quarter of a wave apart. Where
-    /// all is even a pressure has the real part alone, and a slope the imaginary one.
+    /// The part, real or imaginary, of another contact's waves that makes a part of the slopes or pressures of a contact, with its sign: a pressure and the slope of a gap are a quarter of a
+    /// wave apart. Where all is even a pressure has a real part alone, and a slope an imaginary one.
     fn shifted(&self, contact: usize, other: usize, part: usize) -> (usize, f64) {
         match (contact == 0) == (other == 0) {
             true => (part, 1.0),

@@ -26,7 +26,7 @@ impl ClosedPressure<'_> {
     /// −∫ p cos kφ dφ over an interval, for ascending k from 0 on.
     pub(crate) fn tests(&self, middle: f64, half: f64, orders: &[usize]) -> Vec<f64> {
         let highest = orders.last().copied().unwrap_or(0);
-        // the mean is all there is of a pressure that is the same everywhere
+        // a pressure that is the same everywhere has a mean and no other term
         let places = if self.by_dents.is_some() { 4 * highest + PLACES } else { 1 };
         let angle = |q: usize| PI * (q as f64 + 0.5) / places as f64;
         let pressures: Vec<f64> = (0..places).map(|q| self.at(middle + half * angle(q).cos())).collect();
