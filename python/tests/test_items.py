@@ -80,6 +80,7 @@ def fields(schema):
 def scenes():
     """(name, scene in JSON) for each item, and all its forms; not all are legal, as those with two moduli."""
     layer = {"Homogeneous": {"thickness": 1.0, "shear_modulus": 1.0, "poisson": 0.25}}
+    heavy = {"Homogeneous": {"thickness": 1.0, "shear_modulus": 1.0, "poisson": 0.25, "specific_weight": 10.0}}
     plane = {"geometry": "PlaneStrain", "punch": {"Parabola": {"radius": 10.0}}, "force": 0.01}
     ground = {"HalfPlane": {"shear_modulus": 1.0, "poisson": 0.25}}
     for value in values({"oneOf": choices(SCHEMA["properties"]["stack"]["items"])}, ""):
@@ -94,6 +95,13 @@ def scenes():
             for key in ("punch", "load"):
                 for value in values({"oneOf": choices(one["properties"][key])}, ""):
                     name = value if isinstance(value, str) else next(iter(value))
+                    if name == "Dent":
+                        # a gap, which in the plane the weight of the layer presses flat
+                        is_round = geometry == "Axisymmetric"
+                        gap = [layer if is_round else heavy, {"Receding": {"gap": value}}, ground]
+                        load = "Point" if is_round else "Line"
+                        yield name, {"geometry": geometry, "load": load, "force": 0.01, "stack": gap}
+                        continue
                     stack = [layer, "Receding", ground]
                     yield name, {"geometry": geometry, key: value, "force": 0.01, "stack": stack}
 
