@@ -3,7 +3,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use recede::{BondExtremes, Extreme, FieldPoint, LayerExtremes, Point};
+use recede::{BondExtremes, Extreme, FieldPoint, Grid, LayerExtremes, Point};
 
 use crate::arrays::{self, read};
 use crate::errors::raised;
@@ -24,6 +24,13 @@ pub struct Field {
 impl Field {
     pub fn new(inner: recede::Field, solver: &Arc<Solver>) -> Self {
         Self { inner, solver: Arc::clone(solver) }
+    }
+
+    /// The fields on a grid, in arrays with a row for each depth.
+    fn arrays<'py>(&self, py: Python<'py>, grid: &Grid) -> PyResult<Bound<'py, PyAny>> {
+        let shape = (grid.rows().count(), grid.xs().len());
+        let columns = self.columns(py, grid.points())?;
+        py.import("recede._arrays")?.call_method1("fields", (columns, shape))
     }
 
     /// A column for each quantity, by its name in the geometry.
@@ -64,14 +71,10 @@ impl Field {
         x: &Bound<'py, PyAny>,
         depth: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let arrays = py.import("recede._arrays")?;
-        let list = |values: &Bound<'py, PyAny>, name: &str| -> PyResult<Vec<f64>> {
-            read(&arrays.call_method1("line", (values, name))?)
-        };
         let (xs, depths) = (list(x, "x")?, list(depth, "depth")?);
         let grid =
             py.detach(|| self.inner.grid(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
-        arrays.call_method1("fields", (self.columns(py, grid.points())?, (depths.len(), xs.len())))
+        self.arrays(py, &grid)
     }
 
     /// The same layer by layer, on grids that reach the faces of layers, since stresses along the layers jump there: a list.
@@ -81,16 +84,11 @@ impl Field {
         x: &Bound<'py, PyAny>,
         depth: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyList>> {
-        let arrays = py.import("recede._arrays")?;
-        let (xs, depths) =
-            (read(&arrays.call_method1("line", (x, "x"))?)?, read(&arrays.call_method1("line", (depth, "depth"))?)?);
+        let (xs, depths) = (list(x, "x")?, list(depth, "depth")?);
         let grids =
             py.detach(|| self.inner.by_layer(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
         let all = PyList::empty(py);
-        for grid in &grids {
-            let shape = (grid.points().len() / xs.len().max(1), xs.len());
-            all.append(arrays.call_method1("fields", (self.columns(py, grid.points())?, shape))?)?;
-        }
+        grids.iter().try_for_each(|grid| all.append(self.arrays(py, grid)?))?;
         Ok(all)
     }
 
@@ -191,4 +189,9 @@ fn dictionary<'py>(py: Python<'py>, fields: &[(&str, f64)]) -> PyResult<Bound<'p
     let all = PyDict::new(py);
     fields.iter().try_for_each(|(name, value)| all.set_item(name, value))?;
     Ok(all)
+}
+
+/// Places along one direction.
+fn list(values: &Bound<'_, PyAny>, name: &str) -> PyResult<Vec<f64>> {
+    read(&values.py().import("recede._arrays")?.call_method1("line", (values, name))?)
 }

@@ -2,6 +2,7 @@
 use super::Field;
 use super::body::Rows;
 use super::surface::Components;
+use crate::solution::ClosedInterface;
 
 /// The numbers of the rows of the faces that touch at a place, the face of the body above first, if there are any.
 type JointRows = [Option<usize>; 2];
@@ -11,6 +12,13 @@ type JointRows = [Option<usize>; 2];
 pub(super) struct Motion {
     pub(super) lift: f64,
     pub(super) turn: f64,
+}
+
+/// Two places at which layers that weights press together touch: the outermost ends of openings, or as far from the middle as the layers are thick; of what is even the right one twice.
+pub(super) fn beside_openings(own: &ClosedInterface, is_even: bool, thickness: f64) -> [f64; 2] {
+    let right = own.openings.last().map_or(thickness, |last| last.right);
+    let left = own.openings.first().map_or(-thickness, |first| first.left);
+    [if is_even { right } else { left }, right]
 }
 
 impl Field {

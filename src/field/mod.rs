@@ -144,13 +144,7 @@ impl Field {
         let below = stack.base();
         let is_joined = !below.layers().is_empty() && below.foundation().half_plane().is_none();
         let touching = contacts.iter().map(|contact| contact.clone().moved(-middle).touching());
-        // layers touch at the ends of openings
-        let length = stack.total_thickness();
-        let beside = closed.iter().map(|own| match (own.openings.first(), own.openings.last()) {
-            (Some(first), Some(last)) => [first.left, last.right],
-            _ => [-length, length],
-        });
-        let beside = beside.map(|[left, right]| if is_even { [right; 2] } else { [left, right] });
+        let beside = closed.iter().map(|own| joints::beside_openings(own, is_even, stack.total_thickness()));
         let joints: Vec<[f64; 2]> = touching.chain(beside).collect();
         let mut field = Self {
             geometry: stack.geometry(),
