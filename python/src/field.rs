@@ -26,9 +26,9 @@ impl Field {
         Self { inner, solver: Arc::clone(solver) }
     }
 
-    /// The fields on a grid, in arrays with a row for each depth.
-    fn arrays<'py>(&self, py: Python<'py>, grid: &Grid) -> PyResult<Bound<'py, PyAny>> {
-        let shape = (grid.rows().count(), grid.xs().len());
+    /// The fields on a grid, in arrays with a row for each of so many depths.
+    fn arrays<'py>(&self, py: Python<'py>, grid: &Grid, depths: usize) -> PyResult<Bound<'py, PyAny>> {
+        let shape = (depths, grid.xs().len());
         let columns = self.columns(py, grid.points())?;
         py.import("recede._arrays")?.call_method1("fields", (columns, shape))
     }
@@ -74,7 +74,7 @@ impl Field {
         let (xs, depths) = (list(x, "x")?, list(depth, "depth")?);
         let grid =
             py.detach(|| self.inner.grid(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
-        self.arrays(py, &grid)
+        self.arrays(py, &grid, depths.len())
     }
 
     /// The same layer by layer, on grids that reach the faces of layers, since stresses along the layers jump there: a list.
@@ -88,7 +88,7 @@ impl Field {
         let grids =
             py.detach(|| self.inner.by_layer(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
         let all = PyList::empty(py);
-        grids.iter().try_for_each(|grid| all.append(self.arrays(py, grid)?))?;
+        grids.iter().try_for_each(|grid| all.append(self.arrays(py, grid, grid.rows().count())?))?;
         Ok(all)
     }
 
