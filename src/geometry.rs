@@ -71,6 +71,36 @@ impl Geometry {
     }
 }
 
+/// The coordinates by which stresses, strains and displacements have their names.
+///
+/// ```
+/// use recede::{Coordinates, FieldQuantity, Geometry};
+/// assert_eq!(Coordinates::from(Geometry::Axisymmetric), Coordinates::Cylindrical);
+/// assert_eq!(FieldQuantity::SigmaYy.name_in(Coordinates::Cartesian), "sigma_zz");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Coordinates {
+    /// x along the layers and y upwards, of plane problems.
+    Plane,
+    /// r from the axis and z downwards, of axisymmetric problems.
+    Cylindrical,
+    /// x and y along the layers and z downwards, under loads at several places (x, y).
+    Cartesian,
+}
+
+impl Coordinates {
+    /// The name of the coordinate along the layers.
+    pub fn along(self) -> &'static str {
+        if self == Self::Cylindrical { AXISYMMETRIC.along } else { PLANE.along }
+    }
+}
+
+impl From<Geometry> for Coordinates {
+    fn from(geometry: Geometry) -> Self {
+        if geometry.is_axisymmetric() { Self::Cylindrical } else { Self::Plane }
+    }
+}
+
 /// The words for quantities in tables, pictures and messages. Keys of JSON and columns of CSV are the same in all geometries, but for
 /// [the names of fields](crate::FieldQuantity::name_in).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -95,9 +95,9 @@ pub use contact::{ContactError, NoSolution};
 pub use errors::Error;
 pub use field::{
     BondExtremes, Extreme, Extremes, FaceProfile, FaceSide, Field, FieldError, FieldPoint, FieldQuantity, Grid,
-    LayerExtremes, MaxShear, Point,
+    LayerExtremes, MaxShear, Point, SpacePoint,
 };
-pub use geometry::{Geometry, Words};
+pub use geometry::{Coordinates, Geometry, Words};
 pub use model::{Model, solve};
 pub use options::{Options, OptionsError};
 pub use profile::{ContactProfile, FaceProfiles, profile_places};

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use crate::approach::{self, Approach, ApproachError};
 use crate::collocation::{self, Collocated};
-use crate::contact::{self, Asked, Curves, NoSolution};
+use crate::contact::{self, Asked, ContactError, Curves, NoSolution};
 use crate::errors::Error;
 use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
-use crate::scene::{Force, Pressed, Scene, Top};
+use crate::scene::{Force, Load, Loads, Pressed, Scene, Top};
 use crate::solution::{ClosedInterface, Interface, Ledger, OwnerKey, Solution};
 use crate::stack::{Gaps, Stack};
 use crate::weights::Weights;
@@ -96,7 +96,7 @@ impl Model {
     /// # Errors
     /// [`Error::Value`] or [`Error::Options`] if a number is not legal; [`Error::Stack`] if an elastic punch is stiffer
     /// or softer than the layers beyond [`MAX_CONTRAST`](crate::MAX_CONTRAST); [`Error::NoSolution`] if no contact
-    /// lengths were found that satisfy the Signorini conditions (no tension, no penetration).
+    /// lengths were found that satisfy the Signorini conditions (no tension, no penetration); [`Error::Contact`] for loads at several places (x, y) on a stack with receding interfaces.
     pub fn press_with(
         &self,
         top: impl Into<Top>,
@@ -111,6 +111,9 @@ impl Model {
         }
         let asked = self.asked(top, options);
         asked.is_solvable()?;
+        if let Some((loads, axes)) = top.loads().and_then(|loads| Some((loads, loads.axes()?))) {
+            return self.superpose((loads, axes), force, options);
+        }
         // given loads alone ask for no contact
         let is_known = top.loads().is_some() && self.kernel.contacts() == 1;
         let sinks = |(pressed, _): (&Pressed, f64)| matches!(pressed.pressed_by(), Force::ForDepth(_));
@@ -127,6 +130,28 @@ impl Model {
             None => press(options.tolerance, force),
         }?;
         self.with_closed(top, options, solution)
+    }
+
+    /// Presses loads about axes of their own, each alone: where no contact is to be found, what they do is added up.
+    fn superpose(
+        &self,
+        (loads, axes): (&Loads, Vec<[f64; 2]>),
+        force: Force,
+        options: &Options,
+    ) -> Result<Solution, Error> {
+        if let Some(interface) = self.stack.contacts().get(1) {
+            return Err(ContactError::NotSuperposed { interface: *interface }.into());
+        }
+        let own = |share: f64| match force {
+            Force::Given(_) | Force::OfEach => Force::Given(share * force.given().unwrap_or_else(|| loads.force())),
+            other => other,
+        };
+        let press = |(load, _, share): (&Load, f64, f64)| self.press_with(load.clone(), own(share), options);
+        let mut all = loads.parts().map(press).collect::<Result<Vec<_>, _>>()?;
+        let force = all.iter().map(Solution::force).sum();
+        let contacts = all.iter().flat_map(|found| found.contacts.clone()).collect();
+        let last = all.pop().ok_or(NoSolution::NotConverged)?;
+        Ok(Solution { contacts, axes, force, ..last })
     }
 
     /// The stack whose field a solution has: where layers come apart, the one with all its laminates.
@@ -172,6 +197,9 @@ impl Model {
     /// [`Error::Contact`] if a contact is a ring about an axis; [`Error::Field`] if the solution is one of another stack, or the fields cannot be computed.
     pub fn collocate(&self, top: impl Into<Top>, solution: &Solution) -> Result<Vec<Collocated>, Error> {
         self.check_closed(solution)?;
+        if !solution.axes().is_empty() {
+            return Ok(Vec::new());
+        }
         let top = top.into();
         let kernel = self.asked(&top, &Options::default()).kernel_under(solution.force()).into_owned();
         collocation::check(&top, self.solved(), &kernel, solution)
@@ -183,6 +211,9 @@ impl Model {
     /// [`Error::Field`] if the solution is one of another stack; [`Error::NoSolution`] if it is of low accuracy, since the contact equations were not solved then.
     pub fn ledger(&self, top: impl Into<Top>, solution: &Solution) -> Result<Ledger, Error> {
         self.check_owns(solution)?;
+        if !solution.axes().is_empty() {
+            return Ok(Ledger { unknowns: Vec::new(), rows: Vec::new() });
+        }
         let (top, interfaces) = (top.into(), self.stack.contacts());
         let asked = self.asked(&top, &Options::default());
         let weights = self.closed.as_ref().filter(|_| self.check_closed(solution).is_err());

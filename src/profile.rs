@@ -70,6 +70,9 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
 
 /// The profile of a solution at places along x.
 pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
+    if !solution.axes().is_empty() {
+        return Err(FieldError::Superposed);
+    }
     let field = Field::new(stack, solution);
     // two places more in each contact, under each punch, between which its gap is none: bodies may have turned against each other
     let each: Vec<Vec<Contact>> = solution.contacts().iter().map(Contact::of_each_punch).collect();

@@ -19,6 +19,7 @@ mod convergence;
 mod corners;
 mod dents;
 mod determinism;
+mod discs;
 mod docs;
 mod eigenstrains;
 mod estimates;

@@ -261,3 +261,20 @@ fn what_cannot_be_strained_is_named() {
         assert!(error.contains(part), "{layers}: {error}");
     }
 }
+
+#[test]
+fn a_residual_stress_above_all_stresses_of_the_load_is_the_largest() {
+    // the load takes some of the stress away, so that the rest of the strip is stressed most
+    let layers = |strain: f64| {
+        format!("Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25, eigenstrain: {strain}), Bonded, {GROUND}")
+    };
+    for (strain, is_far) in [(-0.1, true), (0.1, false)] {
+        let scene = scene_of("PlaneStrain", "load: Uniform(half_width: 1), force: 0.01", &layers(strain));
+        let solution = solve(&scene);
+        let field = Model::new(scene.stack().unwrap()).unwrap().field(&solution).unwrap();
+        let (largest, residual) = (field.max_shear().unwrap(), field.at(1e6, 0.5).unwrap().max_shear());
+        let below = field.at(0.0, 0.5).unwrap().max_shear();
+        assert!(largest.value >= residual * (1.0 - 1e-8) && largest.value >= below, "{largest:?} {residual} {below}");
+        assert_eq!(largest.x.abs() > 5.0, is_far, "{largest:?} {residual} {below}");
+    }
+}

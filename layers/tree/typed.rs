@@ -122,9 +122,11 @@ impl<'de> Value<'de> {
         }
     }
 
-    /// Values in parentheses, all of which are read.
+    /// Values in parentheses, or in JSON in brackets, all of which are read.
     fn read_row<V: Visitor<'de>>(self, visitor: V) -> Read<V::Value> {
-        let Kind::Row(members) = &self.node.kind else { return Err(self.expected(Form::Open)) };
+        let (Kind::Row(members) | Kind::List(members)) = &self.node.kind else {
+            return Err(self.expected(Form::Open));
+        };
         if self.named && self.node.name.is_some() {
             return Err(self.expected(Form::Open));
         }

@@ -28,14 +28,15 @@ def _kind(values: Any, found: NDArray[Any]) -> str:
     return f"an array of {found.dtype}" if found.ndim else f"{values!r}"
 
 
-def pair(x: Any, depth: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def places(x: Any, depth: Any, y: Any) -> list[NDArray[np.float64]]:
     """Places and depths of the same shape."""
-    places, depths = numbers(x, "x"), numbers(depth, "depth")
+    given = {name: numbers(values, name) for name, values in (("x", x), ("depth", depth), ("y", y))}
     try:
-        both = np.broadcast_arrays(places, depths)
+        fitted = np.broadcast_arrays(*given.values())
     except ValueError:
-        raise ValueError(f"`x` of shape {places.shape} and `depth` of shape {depths.shape} do not fit together") from None
-    return np.ascontiguousarray(both[0]).reshape(both[0].shape), np.ascontiguousarray(both[1]).reshape(both[0].shape)
+        shapes = [f"`{name}` of shape {values.shape}" for name, values in given.items() if values.shape or name != "y"]
+        raise ValueError(f"{' and '.join(shapes)} do not fit together") from None
+    return [np.ascontiguousarray(one).reshape(one.shape) for one in fitted]
 
 
 def line(values: Any, name: str) -> NDArray[np.float64]:

@@ -64,7 +64,7 @@ class Scene:
         *,
         punches: Iterable[Pressed | tuple[Punch, float, float] | tuple[Punch, float, float, Tilt | None] | Mapping[str, object]] | None = None,
         load: Load | None = None,
-        loads: Iterable[PlacedLoad | tuple[Load, float, float] | Mapping[str, object]] | None = None,
+        loads: Iterable[PlacedLoad | tuple[Load, float | tuple[float, float], float] | Mapping[str, object]] | None = None,
         half_length: float | str | None = None,
         depth: float | str | None = None,
         pressure_on_top: float | str | None = None,
@@ -416,13 +416,19 @@ class Contact:
 class Field:
     """Stresses and displacements inside a stack, stresses positive in tension."""
 
-    def at(self, x: ArrayLike, depth: ArrayLike, layer: int | None = None) -> Fields:
+    def at(self, x: ArrayLike, depth: ArrayLike, layer: int | None = None, *, y: ArrayLike | None = None) -> Fields:
         """Stresses and displacements at points.
 
         Args:
             x: places along the layers (distances from the axis), in length.
             depth: depths below the top face, in length; in the shape of `x`, or one that fits to it.
             layer: number of the layer from the top, from 1, on an interface; the layer below if not given.
+            y: the other coordinate along the layers, in length, under loads at several places (x, y).
+        """
+
+    def at_y(self, y: float) -> Field:
+        """The same field in the vertical plane at this y, in which points without a y are then, grids and maps, under loads at several
+        places (x, y).
         """
 
     def grid(self, x: ArrayLike, depth: ArrayLike) -> Fields:

@@ -214,7 +214,7 @@ MADE: dict[str, Callable[[Any], Any]] = {
         Pressed(**one | {"shape": named(Punch, one["shape"]), "tilt": named(Tilt, one["tilt"]) if "tilt" in one else None}) for one in punches
     ),
     "load": lambda load: named(Load, load),
-    "loads": lambda loads: tuple(PlacedLoad(named(Load, one["load"]), one["at"], one["force"]) for one in loads),
+    "loads": lambda loads: tuple(PlacedLoad(named(Load, one["load"]), kept(one["at"], object, "at"), one["force"]) for one in loads),
 }
 
 

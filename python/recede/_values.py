@@ -35,12 +35,12 @@ class PlacedLoad(NamedTuple):
 
     Args:
         load: what presses there.
-        at: where its middle is on x, in length.
+        at: where its middle is on x, in length; in axisymmetric scenes the place (x, y) of its axis.
         force: its resultant, force per unit length out of the plane.
     """
 
     load: Written
-    at: Number
+    at: Number | tuple[Number, Number]
     force: Number
 
 

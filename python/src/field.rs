@@ -2,8 +2,8 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
-use recede::{BondExtremes, Extreme, FieldPoint, Grid, LayerExtremes, Point};
+use pyo3::types::{PyDict, PyFloat, PyList};
+use recede::{BondExtremes, Extreme, FieldPoint, Grid, LayerExtremes, Point, SpacePoint};
 
 use crate::arrays::{self, read};
 use crate::errors::raised;
@@ -35,7 +35,7 @@ impl Field {
 
     /// A column for each quantity, by its name in the geometry.
     fn columns<'py>(&self, py: Python<'py>, points: &[FieldPoint]) -> PyResult<Bound<'py, PyDict>> {
-        arrays::columns(py, recede::report::field_columns(points, self.solver.scene.geometry))
+        arrays::columns(py, recede::report::field_columns(points, self.inner.coordinates()))
     }
 }
 
@@ -47,21 +47,32 @@ impl Field {
     ///     x: places along the layers (distances from the axis), in length.
     ///     depth: depths below the top face, in length; in the shape of `x`, or one that fits to it.
     ///     layer: number of the layer from the top, from 1, on an interface; the layer below if not given.
-    #[pyo3(signature = (x, depth, layer=None))]
+    ///     y: the other coordinate along the layers, in length, under loads at several places (x, y).
+    #[pyo3(signature = (x, depth, layer=None, *, y=None))]
     fn at<'py>(
         &self,
         py: Python<'py>,
         x: &Bound<'py, PyAny>,
         depth: &Bound<'py, PyAny>,
         layer: Option<usize>,
+        y: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let arrays = py.import("recede._arrays")?;
-        let (places, depths): (Bound<'_, PyAny>, Bound<'_, PyAny>) =
-            arrays.call_method1("pair", (x, depth))?.extract()?;
-        let (xs, ds) = (read(&places)?, read(&depths)?);
-        let points: Vec<Point> = xs.into_iter().zip(ds).map(|(x, depth)| Point { x, depth, layer }).collect();
-        let found = py.detach(|| self.inner.points(&points)).map_err(|error| self.solver.failed(py, &error.into()))?;
-        arrays.call_method1("fields", (self.columns(py, &found)?, places.getattr("shape")?))
+        let y = y.cloned().unwrap_or_else(|| PyFloat::new(py, 0.0).into_any());
+        let places: [Bound<'_, PyAny>; 3] = arrays.call_method1("places", (x, depth, y))?.extract()?;
+        let [xs, depths, ys] = [read(&places[0])?, read(&places[1])?, read(&places[2])?];
+        let point = |((x, depth), y): ((f64, f64), f64)| SpacePoint { x, y, depth, layer };
+        let points: Vec<SpacePoint> = xs.into_iter().zip(depths).zip(ys).map(point).collect();
+        let found = py.detach(|| self.inner.points_in_space(&points));
+        let found = found.map_err(|error| self.solver.failed(py, &error.into()))?;
+        arrays.call_method1("fields", (self.columns(py, &found)?, places[0].getattr("shape")?))
+    }
+
+    /// The same field in the vertical plane at this y, in which points without a y are then, grids and maps, under loads at several
+    /// places (x, y).
+    fn at_y(&self, py: Python<'_>, y: f64) -> PyResult<Self> {
+        let inner = self.inner.clone().at_y(y).map_err(|error| self.solver.failed(py, &error.into()))?;
+        Ok(Self { inner, solver: Arc::clone(&self.solver) })
     }
 
     /// The same on a grid: arrays with a row for each depth, faster than one by one.
@@ -122,11 +133,11 @@ impl Field {
         let is_strain = quantity.starts_with("eps") || quantity.starts_with("gamma");
         let (length, stress) = units(scene);
         let unit = match quantity {
-            "u" | "v" | "u_r" | "u_z" => length.clone(),
+            "u" | "v" | "u_r" | "u_x" | "u_y" | "u_z" => length.clone(),
             _ if is_strain => String::new(),
             _ => stress,
         };
-        let along = scene.geometry.words().along;
+        let along = scene.coordinates().along();
         let all = (slf, quantity, ax, x, depth, along, (length, unit));
         slf.py().import("recede._plots")?.call_method1("field_map", all)
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use recede::plot;
 use recede::report::{Format, write_field};
-use recede::{Field, FieldQuantity, Geometry, Point};
+use recede::{Coordinates, Field, FieldQuantity, SpacePoint};
 
 use super::plot::Title;
 use super::{Failure, SceneFile, outputs, solved, warn};
@@ -33,9 +33,13 @@ Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
 pub struct FieldArguments {
     #[command(flatten)]
     file: SceneFile,
-    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear
+    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear. Under loads at
+    /// places (x, y): X,Y,DEPTH
     #[arg(long, value_name = "X,DEPTH[@LAYER]", allow_hyphen_values = true)]
-    at: Vec<Point>,
+    at: Vec<SpacePoint>,
+    /// The vertical plane of a grid or a map under loads at places (x, y)
+    #[arg(long, default_value = "0", conflicts_with = "at", allow_hyphen_values = true)]
+    y: f64,
     /// Places of a grid along x, or r; without it, two half-lengths (radii) of the longest contact to either side
     #[arg(long, value_name = "START:STOP:COUNT", value_parser = steps, conflicts_with = "at", allow_hyphen_values = true)]
     x: Option<Steps>,
@@ -46,7 +50,8 @@ pub struct FieldArguments {
     /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, a short table on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// What a map shows; in plane problems displacements are u and v, upwards, in axisymmetric ones u_r and u_z, downwards
+    /// What a map shows; in plane problems displacements are u and v, upwards, in axisymmetric ones u_r and u_z, downwards, and under loads at places (x, y)
+    /// u_x, u_y and u_z
     #[arg(long, default_value = "max_shear", value_parser = PossibleValuesParser::new(names()))]
     quantity: String,
     /// How to write to standard output
@@ -90,20 +95,20 @@ impl FieldArguments {
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
-        let field = model.field(&solution)?;
+        let field = model.field(&solution)?.at_y(self.y)?;
         let Some(format) = format else {
             // without a file there is no map
             let Some(path) = &self.out else { return Ok(()) };
             let [xs, depths] = self.grid(&field, MAP);
             let grids = field.by_layer(&xs, &depths)?;
-            let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.geometry)?)?;
+            let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.coordinates())?)?;
             return Ok(plot::save(path, &self.title.above(picture, &scene))?);
         };
         let points = if self.at.is_empty() {
             let [xs, depths] = self.grid(&field, if format == Format::Table { TABLE } else { LIST });
             field.grid(&xs, &depths)?.points().to_vec()
         } else {
-            field.points(&self.at)?
+            field.points_in_space(&self.at)?
         };
         if format == Format::Table && points.len() > READABLE {
             return Err(Failure::usage(
@@ -112,7 +117,7 @@ impl FieldArguments {
             ));
         }
         outputs::write(self.out.as_deref(), out, |out| {
-            write_field(&points, scene.geometry, scene.units.as_ref(), format, out)
+            write_field(&points, field.coordinates(), scene.units.as_ref(), format, out)
         })
     }
 
@@ -125,9 +130,9 @@ impl FieldArguments {
     }
 
     /// The quantity that is asked for by its name in this geometry.
-    fn quantity(&self, geometry: Geometry) -> Result<FieldQuantity, Failure> {
+    fn quantity(&self, coordinates: Coordinates) -> Result<FieldQuantity, Failure> {
         let hint = "name a quantity of this geometry";
-        FieldQuantity::named(&self.quantity, geometry).map_err(|message| Failure::usage(message, hint))
+        FieldQuantity::named(&self.quantity, coordinates).map_err(|message| Failure::usage(message, hint))
     }
 
     /// Places along x and depths; the default number of each unless it is given.
@@ -140,7 +145,13 @@ impl FieldArguments {
 
 /// The names of quantities in all geometries.
 fn names() -> Vec<&'static str> {
-    let of = |geometry: Geometry| FieldQuantity::ALL.map(|quantity| quantity.name_in(geometry));
-    let [plane, round] = [Geometry::PlaneStrain, Geometry::Axisymmetric].map(of);
-    plane.into_iter().chain(round.into_iter().filter(|name| !plane.contains(name))).collect()
+    let all = [Coordinates::Plane, Coordinates::Cylindrical, Coordinates::Cartesian];
+    let of = |own: Coordinates| FieldQuantity::all_in(own).map(move |quantity| quantity.name_in(own));
+    let mut names: Vec<&str> = Vec::new();
+    for name in all.into_iter().flat_map(of) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
 }

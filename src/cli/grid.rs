@@ -28,7 +28,8 @@ pub(super) struct GridArguments {
     /// tension across each interface that does not open
     #[arg(long)]
     extremes: bool,
-    /// Add a column with a stress, strain or displacement at a point, with names as in `recede field`: `0,0.2@1=eps_xx`; may be repeated
+    /// Add a column with a stress, strain or displacement at a point, with names as in `recede field`: `0,0.2@1=eps_xx`, or X,Y,DEPTH under loads at places (x, y);
+    /// may be repeated
     #[arg(long, value_name = "X,DEPTH[@LAYER]=QUANTITY", allow_hyphen_values = true)]
     at: Vec<String>,
     /// Relative error to aim at, from 1e-13 to 1e-2 [default: 1e-10]
@@ -67,7 +68,7 @@ impl GridArguments {
         };
         let tolerance = self.tolerance.unwrap_or(sweep.options().tolerance);
         let sweep = sweep.with_options(Options { tolerance })?;
-        let probe = |text: &String| Probe::parse(text, sweep.scene().geometry);
+        let probe = |text: &String| Probe::parse(text, sweep.scene().coordinates());
         let probes = self.at.iter().map(probe).collect::<Result<_, _>>().map_err(Error::from)?;
         let sweep = sweep.with_probes(probes);
         let sweep = if self.approach { sweep.with_approach() } else { sweep };

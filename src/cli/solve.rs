@@ -3,8 +3,8 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use recede::FieldError;
 use recede::report::{Format, Report};
+use recede::{Coordinates, FieldError};
 
 use super::{Failure, SceneFile, outputs, solved, tell, warn};
 
@@ -72,12 +72,15 @@ impl SolveArguments {
         // of the scene as a whole, and CSV has a line for each contact
         let is_told = format != Format::Csv;
         let approaches = if is_told { model.approaches(&scene.top, &solution) } else { Vec::new() };
-        let is_wanted = match format {
-            Format::Table => !self.no_fields,
-            Format::Json => self.fields,
-            // it has no column for the largest shear stress
-            Format::Csv => false,
-        };
+        // about one axis, or in the plane
+        let is_searched = scene.coordinates() != Coordinates::Cartesian;
+        let is_wanted = is_searched
+            && match format {
+                Format::Table => !self.no_fields,
+                Format::Json => self.fields,
+                // it has no column for the largest shear stress
+                Format::Csv => false,
+            };
         let field = || model.field(&solution);
         let failed = "the contacts are solved, the largest shear stress was not found:";
         let max_shear = searched(is_wanted, failed, || field()?.max_shear());

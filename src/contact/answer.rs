@@ -69,6 +69,7 @@ impl Answer {
         let (mut warnings, middle) = (self.warnings, problem.top.middle());
         warnings.extend(validity::warnings(problem.top, problem.kernel, &contacts));
         Solution {
+            axes: Vec::new(),
             contacts,
             closed: self.closed.into_iter().map(|own| own.scaled(length, middle, [unit, problem.force])).collect(),
             punches,

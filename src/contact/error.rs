@@ -20,6 +20,12 @@ pub enum ContactError {
         /// The geometry.
         geometry: Geometry,
     },
+    /// Loads about several axes on layers that come apart, where what each load does alone cannot be added up.
+    #[error("loads at places (x, y) are added up, which does not hold where layers come apart, as at {interface}")]
+    NotSuperposed {
+        /// The first interface at which they do.
+        interface: Interface,
+    },
     /// A half-length or a depth of a punch that is not symmetric, or of several, or a force of several of which something else is prescribed.
     #[error(
         "the punch is not symmetric about its tip, or is one of several: what is prescribed stands beside it in the list of punches"
@@ -72,6 +78,7 @@ impl ContactError {
             | Self::DentUnderPunch
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
+            | Self::NotSuperposed { .. }
             | Self::UnevenPunch
             | Self::PunchFalls { .. } => true,
             Self::Unresolved(_) => false,
@@ -87,13 +94,14 @@ impl ContactError {
             Self::LoadsUnknown { geometry, .. } => Some(
                 match geometry {
                     Geometry::Axisymmetric => {
-                        "about an axis every load is in the middle, and the half_width of a `Ring` is at least a ten-thousandth \
+                        "about an axis every load is in the middle or at a place (x, y), and the half_width of a `Ring` is at least a ten-thousandth \
                          of its radius"
                     }
                     _ => "a ring is known about an axis only: in the plane give a load on either side",
                 }
                 .to_owned(),
             ),
+            Self::NotSuperposed { .. } => Some("bond the layers, or let one load press about the axis: `load: ...`".to_owned()),
             Self::DentUnderPunch => Some("give the pressure of the punch as `load` or `loads`".to_owned()),
             Self::DepthWithOpenings => Some("give the force, or `half_length`, `left` or `right`".to_owned()),
             Self::UnevenPunch => Some(

@@ -39,13 +39,17 @@ pub(super) struct PlacedLayer {
     /// The modulus of stretching along it in its middle, or at the face of a half-plane, in stress.
     pub(super) stiffness: f64,
     /// How eigenstrains and weights strain it, if there are any.
-    residual: Option<ResidualStrain>,
+    pub(super) residual: Option<ResidualStrain>,
 }
 
 impl PlacedLayer {
     /// The stresses before anything presses but weights: along the layer, across it, and out of the plane or about the axis.
-    pub(super) fn residual(&self, depth: f64, material: &Material, geometry: Geometry) -> [f64; 3] {
-        self.residual.map_or([0.0; 3], |strain| residual_stress(&*self.layer, material, geometry, strain, depth))
+    pub(super) fn residual(&self, depth: f64, geometry: Geometry) -> [f64; 3] {
+        let of = |strain| {
+            let material = self.layer.material(depth, geometry.plane());
+            residual_stress(&*self.layer, &material, geometry, strain, depth)
+        };
+        self.residual.map_or([0.0; 3], of)
     }
 
     /// Depth of its bottom face, infinite for a half-plane.

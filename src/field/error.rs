@@ -18,6 +18,14 @@ pub enum FieldError {
     /// The field was requested so far away, the farthest point at this distance from the middle, that it would take too many wavenumbers.
     #[error("a place {0:?} from the middle is too far from the contacts for the field to be computed there")]
     TooFar(f64),
+    /// Something was requested under loads at several places (x, y) that is known about one axis only: profiles, and where stresses are largest.
+    #[error(
+        "loads press at several places (x, y): profiles, and places where stresses are largest, are known about one axis only"
+    )]
+    Superposed,
+    /// A point with this y was requested of a field that has none.
+    #[error("y = {0:?} is asked for; y other than 0 is for loads at several places (x, y) of an axisymmetric scene")]
+    NoSpace(f64),
     /// An approach or a check by collocation was requested where layers that weights press together come apart.
     #[error(
         "layers that weights press together come apart, and neither approaches nor checks by collocation are told then"
@@ -31,7 +39,15 @@ pub enum FieldError {
 impl FieldError {
     /// Whether the input is at fault.
     pub fn is_input(&self) -> bool {
-        matches!(self, Self::Outside { .. } | Self::TooFar(_) | Self::Openings | Self::OtherStack)
+        matches!(
+            self,
+            Self::Outside { .. }
+                | Self::TooFar(_)
+                | Self::Superposed
+                | Self::NoSpace(_)
+                | Self::Openings
+                | Self::OtherStack
+        )
     }
 
     /// What to do about it, if that can be said.
@@ -42,6 +58,8 @@ impl FieldError {
                 Some("ask the model that was pressed, or one of an equal stack, for the field".to_owned())
             }
             Self::Openings => Some("press with less than the critical force".to_owned()),
+            Self::Superposed => Some("ask for points or grids: `recede field --at X,Y,DEPTH`, or `--y Y`".to_owned()),
+            Self::NoSpace(_) => Some("write `loads: [(load: ..., at: (x, y), force: P), ...]`".to_owned()),
             Self::Outside { .. } | Self::TooFar(_) => None,
         }
     }

@@ -91,8 +91,9 @@ impl Field {
     /// The largest shear stress in the plane anywhere in the stack, (σ₁ − σ₂)/2, and where it is.
     ///
     /// # Errors
-    /// [`FieldError::Unresolved`] if the fields cannot be computed.
+    /// [`FieldError::Unresolved`] if the fields cannot be computed; [`FieldError::Superposed`] under loads at several places (x, y).
     pub fn max_shear(&self) -> Result<MaxShear, FieldError> {
+        self.check_searched()?;
         let found = highest(self, &[(Measure::MaxShear, None)])?.into_iter().next().flatten();
         let HighestPlace { layer, place: [x, depth], value, .. } = found.ok_or(Unresolved { wavenumber: 0.0 })?;
         let placed = &self.layers[layer];
@@ -108,8 +109,9 @@ impl Field {
     /// are so long, or layers so thin, that not all short waves are summed, the error has what the search does not see of them.
     ///
     /// # Errors
-    /// If the fields cannot be computed.
+    /// As [`Self::max_shear`].
     pub fn extremes(&self) -> Result<Extremes, FieldError> {
+        self.check_searched()?;
         let (layers, bonds) = (0..self.layers.len(), self.bonds());
         let mut searches = vec![(Measure::Tension, None)];
         let of_layer = |layer| [Measure::VonMises, Measure::TensileStrain].map(|measure| (measure, Some(layer)));

@@ -13,13 +13,16 @@ mod faces;
 mod joints;
 mod measure;
 mod mesh;
+mod place;
 mod point;
 mod polynomial;
 mod pressure;
+mod quantity;
 mod search;
 mod spheroid;
 mod strip;
 mod sum;
+mod superposed;
 mod surface;
 mod transform;
 mod waves;
@@ -31,8 +34,10 @@ use recede_layers::Wave;
 
 pub use extremes::{BondExtremes, Extreme, Extremes, LayerExtremes, MaxShear};
 pub use faces::{FaceProfile, FaceSide};
-pub use point::{FieldPoint, FieldQuantity, Grid, Point};
+pub use place::{Point, SpacePoint};
+pub use point::{FieldPoint, Grid};
 pub(crate) use pressure::ContactPressure;
+pub use quantity::FieldQuantity;
 pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
 
 use crate::geometry::Geometry;
@@ -43,6 +48,7 @@ pub use error::FieldError;
 
 use body::{DepthRow, LoadedBody, PlacedLayer, Rows};
 use closed::{Closed, ClosedBodies};
+use superposed::Superposed;
 use surface::Components;
 
 /// Rounding of stresses, in parts of the mean pressure.
@@ -107,6 +113,8 @@ pub struct Field {
     base: Option<usize>,
     /// Error estimate of the pressures, in stress.
     pressure_error: f64,
+    /// Fields about several axes, of which this one is the sum.
+    superposed: Option<Superposed>,
 }
 
 impl Field {
@@ -162,6 +170,7 @@ impl Field {
             over_support: largest / support_stiffness(stack, modulus),
             base: is_joined.then(|| below.foundation().number()),
             pressure_error: 0.0,
+            superposed: Superposed::new(stack, solution),
         };
         let interfaces = contacts.iter().map(|own| own.interface).chain(closed.iter().map(|own| own.interface));
         let apart = interfaces.zip(&field.joints);
@@ -206,6 +215,9 @@ impl Field {
     /// [`FieldError::Outside`] if the layer is not there, or not at this depth.
     pub fn stress_error(&self, point: &Point) -> Result<f64, FieldError> {
         let row = self.row(point, 0)?;
+        if let Some(error) = self.superposed_error(point) {
+            return error;
+        }
         let face = (row.depth == 0.0).then(|| self.bodies[self.layers[row.layer].body].contact);
         let place = self.place(point.x);
         let singular = face.is_some_and(|contact| self.pressures[contact].singularity(place).is_some());
@@ -296,7 +308,11 @@ impl Field {
     }
 
     /// Points in rows, each at a set of places that are counted from the middle.
-    fn at_places(&self, Rows { rows, sets }: &Rows, precision: &Precision) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+    fn at_places(&self, of: &Rows, precision: &Precision) -> Result<Vec<Vec<FieldPoint>>, FieldError> {
+        if let Some(found) = self.superposed(of, precision) {
+            return found;
+        }
+        let Rows { rows, sets } = of;
         // in an even field places on both sides of the middle share their tables
         let distinct = |xs: &Vec<f64>| {
             let mut places: Vec<f64> = xs.iter().map(|x| self.folded(*x)).collect();

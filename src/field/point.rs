@@ -1,54 +1,11 @@
 //! Stresses, strains and displacements at a point, and what follows from them.
-use std::fmt;
-use std::str::FromStr;
-
+use nalgebra::Matrix3;
 use recede_layers::Material;
 
 use super::Field;
 use super::body::DepthRow;
 use super::surface::Components;
-use crate::geometry::Geometry;
-
-/// A point at which a field is requested.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Point {
-    /// Along the layers, from the centre of the contact, in length.
-    pub x: f64,
-    /// Below the top face of the stack, in length.
-    pub depth: f64,
-    /// The layer, numbered from the top as written in the scene, starting at 1. On an interface `None` is the layer below.
-    pub layer: Option<usize>,
-}
-
-/// Reads X,DEPTH or X,DEPTH@LAYER.
-impl FromStr for Point {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("found `{text}`, expected X,DEPTH or X,DEPTH@LAYER as in 0,0.5 or 1.2,1@2");
-        let (place, layer) = match text.split_once('@') {
-            Some((place, layer)) => (place, Some(layer.trim().parse().map_err(|_| wrong())?)),
-            None => (text, None),
-        };
-        let (x, depth) = place.split_once(',').ok_or_else(wrong)?;
-        let number = |text: &str| text.trim().parse().map_err(|_| wrong());
-        Ok(Self { x: number(x)?, depth: number(depth)?, layer })
-    }
-}
-
-impl fmt::Display for Point {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.written_in(Geometry::PlaneStrain))
-    }
-}
-
-impl Point {
-    /// The point in words, with the name of the coordinate in this geometry.
-    pub(super) fn written_in(&self, geometry: Geometry) -> String {
-        let layer = self.layer.map_or(String::new(), |layer| format!(" in layer {layer}"));
-        format!("{} = {:?}, depth = {:?}{layer}", geometry.words().along, self.x, self.depth)
-    }
-}
+use crate::geometry::{Coordinates, Geometry};
 
 /// Stresses (positive in tension), strains and displacements at a point, in the units of the scene.
 ///
@@ -57,6 +14,8 @@ impl Point {
 pub struct FieldPoint {
     /// Along the layers, from the centre of the contact.
     pub x: f64,
+    /// Out of the plane, z: the coordinate y of a scene with loads at several places (x, y), and 0 in all others.
+    pub z: f64,
     /// Below the top face of the stack.
     pub depth: f64,
     /// Number of the layer, from the top as written in the scene, starting at 1.
@@ -65,6 +24,8 @@ pub struct FieldPoint {
     pub u: f64,
     /// Displacement upwards, counted from the rigid base or from the top face of the half-plane at x = 0.
     pub v: f64,
+    /// Displacement along z; 0 but under loads at several places (x, y).
+    pub w: f64,
     /// Slope dv/dx.
     pub slope: f64,
     /// Normal stress along the layers.
@@ -77,6 +38,10 @@ pub struct FieldPoint {
     /// plane stress. NaN in a layer whose material does not give it, see
     /// [`Material::out_of_plane`](recede_layers::Material::out_of_plane), or that has an eigenstrain and is not isotropic. In axisymmetric problems the stress about the axis, σ_θθ.
     pub sigma_zz: f64,
+    /// Shear stress in planes along the layers; 0 but under loads at several places (x, y).
+    pub sigma_xz: f64,
+    /// Shear stress with y upwards and z; 0 but under loads at several places (x, y).
+    pub sigma_yz: f64,
     /// Strain along the layers, ε_xx, dimensionless; about an axis ε_rr.
     pub eps_xx: f64,
     /// Strain across the layers, ε_yy, dimensionless; about an axis ε_zz.
@@ -85,187 +50,90 @@ pub struct FieldPoint {
     pub eps_zz: f64,
     /// Angle of shear γ_xy = 2 ε_xy, dimensionless, with y upwards.
     pub gamma_xy: f64,
-    /// Whether z is the direction about an axis.
-    pub(super) is_axisymmetric: bool,
+    /// Angle of shear γ_xz, dimensionless; 0 but under loads at several places (x, y).
+    pub gamma_xz: f64,
+    /// Angle of shear γ_yz, dimensionless, with y upwards; 0 but under loads at several places (x, y).
+    pub gamma_yz: f64,
+    /// What z is: the direction about an axis, or out of a plane that need not be a principal one.
+    pub(super) coordinates: Coordinates,
     /// The modulus by which strains are compared with stresses, the same in a whole layer.
     pub(super) stiffness: f64,
 }
 
 impl FieldPoint {
-    /// The principal stresses in the plane, the larger one first.
+    /// The stresses, displacements and strains, which are added up where loads are.
+    pub(super) fn additive(&mut self) -> [&mut f64; 16] {
+        let Self { u, v, w, slope, sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_xz, sigma_yz, .. } = self;
+        let Self { eps_xx, eps_yy, eps_zz, gamma_xy, gamma_xz, gamma_yz, .. } = self;
+        [
+            u, v, w, slope, sigma_xx, sigma_yy, sigma_xy, sigma_zz, sigma_xz, sigma_yz, eps_xx, eps_yy, eps_zz,
+            gamma_xy, gamma_xz, gamma_yz,
+        ]
+    }
+
+    /// The principal stresses in the plane, the larger one first; under loads at several places (x, y) the largest and the smallest one of all three.
     pub fn principal(&self) -> [f64; 2] {
-        let (mean, radius) = (0.5 * (self.sigma_xx + self.sigma_yy), self.max_shear());
-        [mean + radius, mean - radius]
+        let shears = [self.sigma_xy, self.sigma_xz, self.sigma_yz];
+        self.principal_of([self.sigma_xx, self.sigma_yy, self.sigma_zz], shears)
     }
 
     /// The largest tension: the larger principal stress in the plane or, in axisymmetric problems, that about the axis if it is larger.
     pub fn tension(&self) -> f64 {
-        let [first, _] = self.principal();
-        if self.is_axisymmetric { first.max(self.sigma_zz) } else { first }
+        self.with_hoop(self.principal()[0], self.sigma_zz)
     }
 
-    /// The principal strains in the plane, the larger one first.
+    /// The principal strains in the plane, the larger one first; under loads at several places (x, y) the largest and the smallest one of all three.
     pub fn principal_strains(&self) -> [f64; 2] {
-        let mean = 0.5 * (self.eps_xx + self.eps_yy);
-        let radius = 0.5 * (self.eps_xx - self.eps_yy).hypot(self.gamma_xy);
-        [mean + radius, mean - radius]
+        let shears = [self.gamma_xy, self.gamma_xz, self.gamma_yz].map(|angle| 0.5 * angle);
+        self.principal_of([self.eps_xx, self.eps_yy, self.eps_zz], shears)
     }
 
     /// The largest strain: the larger principal one in the plane or, in axisymmetric problems, the one about the axis if it is larger.
     pub fn tensile_strain(&self) -> f64 {
-        let [first, _] = self.principal_strains();
-        if self.is_axisymmetric { first.max(self.eps_zz) } else { first }
+        self.with_hoop(self.principal_strains()[0], self.eps_zz)
     }
 
-    /// The largest shear stress in the plane, (σ₁ − σ₂)/2.
+    /// The largest shear stress in the plane, (σ₁ − σ₂)/2; under loads at several places (x, y) in any plane, (σ₁ − σ₃)/2.
     pub fn max_shear(&self) -> f64 {
-        (0.5 * (self.sigma_xx - self.sigma_yy)).hypot(self.sigma_xy)
+        match self.coordinates {
+            Coordinates::Cartesian => {
+                let [first, last] = self.principal();
+                0.5 * (first - last)
+            }
+            _ => (0.5 * (self.sigma_xx - self.sigma_yy)).hypot(self.sigma_xy),
+        }
     }
 
     /// Von Mises' equivalent stress, with the stress out of the plane; NaN where that is not known.
     pub fn von_mises(&self) -> f64 {
-        let [first, second] = self.principal();
+        let (other, [first, second]) = match self.coordinates {
+            Coordinates::Cartesian => {
+                (self.sigma_xy.hypot(self.sigma_xz).hypot(self.sigma_yz), [self.sigma_xx, self.sigma_yy])
+            }
+            _ => (0.0, self.principal()),
+        };
         let third = self.sigma_zz;
-        (0.5 * ((first - second).powi(2) + (second - third).powi(2) + (third - first).powi(2))).sqrt()
-    }
-}
-
-/// Names of a quantity in plane problems, and in axisymmetric ones in cylindrical coordinates; and its value at a point.
-type QuantityEntry = ([&'static str; 2], fn(&FieldPoint) -> f64);
-
-/// The quantities at a point of a field.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum FieldQuantity {
-    /// Normal stress along the layers.
-    SigmaXx,
-    /// Normal stress across the layers.
-    SigmaYy,
-    /// Shear stress, with y upwards.
-    SigmaXy,
-    /// Normal stress out of the plane.
-    SigmaZz,
-    /// The larger principal stress in the plane.
-    Sigma1,
-    /// The smaller principal stress in the plane.
-    Sigma2,
-    /// The largest shear stress in the plane.
-    MaxShear,
-    /// Von Mises' equivalent stress.
-    VonMises,
-    /// Displacement along x.
-    U,
-    /// Displacement upwards.
-    V,
-    /// Strain along the layers.
-    EpsXx,
-    /// Strain across the layers.
-    EpsYy,
-    /// Angle of shear, with y upwards.
-    GammaXy,
-    /// Strain out of the plane.
-    EpsZz,
-    /// The larger principal strain in the plane.
-    Eps1,
-    /// The smaller principal strain in the plane.
-    Eps2,
-}
-
-impl FieldQuantity {
-    /// All of them.
-    pub const ALL: [Self; 16] = [
-        Self::SigmaXx,
-        Self::SigmaYy,
-        Self::SigmaXy,
-        Self::SigmaZz,
-        Self::Sigma1,
-        Self::Sigma2,
-        Self::MaxShear,
-        Self::VonMises,
-        Self::U,
-        Self::V,
-        Self::EpsXx,
-        Self::EpsYy,
-        Self::GammaXy,
-        Self::EpsZz,
-        Self::Eps1,
-        Self::Eps2,
-    ];
-
-    const TABLE: [QuantityEntry; Self::ALL.len()] = [
-        (["sigma_xx", "sigma_rr"], |point| point.sigma_xx),
-        (["sigma_yy", "sigma_zz"], |point| point.sigma_yy),
-        (["sigma_xy", "tau_rz"], |point| point.sigma_xy),
-        (["sigma_zz", "sigma_tt"], |point| point.sigma_zz),
-        (["sigma_1"; 2], |point| point.principal()[0]),
-        (["sigma_2"; 2], |point| point.principal()[1]),
-        (["max_shear"; 2], FieldPoint::max_shear),
-        (["von_mises"; 2], FieldPoint::von_mises),
-        (["u", "u_r"], |point| point.u),
-        (["v", "u_z"], |point| point.v),
-        (["eps_xx", "eps_rr"], |point| point.eps_xx),
-        (["eps_yy", "eps_zz"], |point| point.eps_yy),
-        (["gamma_xy", "gamma_rz"], |point| point.gamma_xy),
-        (["eps_zz", "eps_tt"], |point| point.eps_zz),
-        (["eps_1"; 2], |point| point.principal_strains()[0]),
-        (["eps_2"; 2], |point| point.principal_strains()[1]),
-    ];
-
-    /// The quantity of this name in a geometry.
-    ///
-    /// # Errors
-    /// If there is none: what was found, and all that there are.
-    pub fn named(name: &str, geometry: Geometry) -> Result<Self, String> {
-        let all = || Self::ALL.map(|quantity| quantity.name_in(geometry)).join(", ");
-        let found = Self::ALL.into_iter().find(|quantity| quantity.name_in(geometry) == name);
-        found.ok_or_else(|| format!("there is no {name} in this geometry; there are {}", all()))
+        let normal = 0.5 * ((first - second).powi(2) + (second - third).powi(2) + (third - first).powi(2));
+        (normal + 3.0 * other.powi(2)).sqrt()
     }
 
-    /// Whether it is a strain, which has no unit.
-    pub(crate) fn is_strain(self) -> bool {
-        self as usize > Self::V as usize
-    }
-
-    /// Whether it needs what a material may not tell of the direction out of the plane.
-    pub(crate) fn is_out_of_plane(self) -> bool {
-        matches!(self, Self::SigmaZz | Self::VonMises | Self::EpsZz)
-    }
-
-    /// The name of the quantity, as in the columns of a CSV file.
-    pub fn name(self) -> &'static str {
-        Self::TABLE[self as usize].0[0]
-    }
-
-    /// The name of the quantity in a geometry, as in the columns of a CSV file: in axisymmetric problems of cylindrical coordinates with z downwards.
-    ///
-    /// ```
-    /// use recede::{FieldQuantity, Geometry};
-    /// assert_eq!(FieldQuantity::SigmaZz.name_in(Geometry::Axisymmetric), "sigma_tt");
-    /// ```
-    pub fn name_in(self, geometry: Geometry) -> &'static str {
-        Self::TABLE[self as usize].0[usize::from(geometry.is_axisymmetric())]
-    }
-
-    /// The value of the quantity at a point.
-    ///
-    /// ```
-    /// # use recede::{HalfPlane, Model, Plane, Punch, FieldQuantity, Stack};
-    /// # let model = Model::new(Stack::builder(Plane::Strain).layer(HalfPlane::new(1.0, 0.25)?).build()?)?;
-    /// # let solution = model.press(&Punch::parabola(500.0)?, 0.002)?;
-    /// let point = model.field(&solution)?.at(0.0, 0.5)?;
-    /// assert_eq!(FieldQuantity::SigmaYy.of(&point), point.sigma_yy);
-    /// # Ok::<(), recede::Error>(())
-    /// ```
-    pub fn of(self, point: &FieldPoint) -> f64 {
-        (Self::TABLE[self as usize].1)(point)
-    }
-
-    /// The value of the quantity in a geometry, under [`Self::name_in`]: z points downwards in axisymmetric problems.
-    pub fn of_in(self, point: &FieldPoint, geometry: Geometry) -> f64 {
-        match (geometry, self) {
-            // not −0
-            (Geometry::Axisymmetric, Self::SigmaXy | Self::V | Self::GammaXy) => 0.0 - self.of(point),
-            _ => self.of(point),
+    /// The larger and the smaller principal value in the plane of x and y, or the largest and the smallest one of all, of components xx, yy, zz and xy, xz, yz.
+    fn principal_of(&self, [xx, yy, zz]: [f64; 3], [xy, xz, yz]: [f64; 3]) -> [f64; 2] {
+        if self.coordinates == Coordinates::Cartesian {
+            let all = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+            if all.iter().any(|component| !component.is_finite()) {
+                return [f64::NAN; 2];
+            }
+            let values = all.symmetric_eigenvalues();
+            return [values.max(), values.min()];
         }
+        let (mean, radius) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+        [mean + radius, mean - radius]
+    }
+
+    /// The larger one of a principal value in the plane and, about an axis, the value about it.
+    fn with_hoop(&self, first: f64, hoop: f64) -> f64 {
+        if self.coordinates == Coordinates::Cylindrical { first.max(hoop) } else { first }
     }
 }
 
@@ -319,25 +187,40 @@ impl Field {
             }
             Geometry::PlaneStress => [sigma_xx, 0.0],
         };
-        let residual = placed.residual(row.depth, &material, self.geometry);
-        FieldPoint {
+        let mut point = FieldPoint {
             x: self.middle + x,
+            z: 0.0,
             depth: placed.top + row.depth,
             layer: placed.number,
             u,
             v,
+            w: 0.0,
             slope,
-            sigma_xx: sigma_xx + residual[0],
-            sigma_yy: sigma_yy + residual[1],
+            sigma_xx,
+            sigma_yy,
             sigma_xy,
-            sigma_zz: sigma_zz + residual[2],
+            sigma_zz,
+            sigma_xz: 0.0,
+            sigma_yz: 0.0,
             eps_xx,
             eps_yy,
             eps_zz,
             gamma_xy: material.shear_compliance * sigma_xy,
-            is_axisymmetric: self.geometry.is_axisymmetric(),
+            gamma_xz: 0.0,
+            gamma_yz: 0.0,
+            coordinates: self.geometry.into(),
             stiffness: placed.stiffness,
-        }
+        };
+        self.add_residual(row, &mut point);
+        point
+    }
+
+    /// Adds the stresses that are there before anything presses but weights.
+    pub(super) fn add_residual(&self, row: &DepthRow, point: &mut FieldPoint) {
+        let [along, across, out] = self.layers[row.layer].residual(row.depth, self.geometry);
+        point.sigma_xx += along;
+        point.sigma_yy += across;
+        point.sigma_zz += out;
     }
 }
 

@@ -116,8 +116,10 @@ pub(super) fn highest(field: &Field, searches: &[ExtremeSearch]) -> Result<Vec<O
     if field.length(0) == 0.0 || infinite.iter().all(Option::is_some) {
         return Ok(infinite);
     }
-    // shear stresses are largest in the surroundings of the loads; far from them stresses may be smaller than what is left out
-    let is_near = searches.iter().all(|(measure, _)| *measure == Measure::MaxShear);
+    // shear stresses are largest in the surroundings of the loads, unless eigenstrains or weights make stresses that are there without loads; far
+    // from loads other stresses may be smaller than what is left out
+    let is_loaded = field.layers.iter().all(|placed| placed.residual.is_none());
+    let is_near = is_loaded && searches.iter().all(|(measure, _)| *measure == Measure::MaxShear);
     let first = if is_near { &waves::COARSE } else { &waves::LOW };
     let samples: Vec<PieceSample> =
         PieceSample::all(field, &Pieces::all(field, is_near), first)?.into_iter().flatten().collect();

@@ -28,7 +28,7 @@ impl Field {
         let reach = |is_closed: bool| {
             ends(is_closed).fold([f64::INFINITY, f64::NEG_INFINITY], |[from, to], end| [from.min(end), to.max(end)])
         };
-        let [left, right] = reach(false);
+        let [left, right] = self.superposed_ends().unwrap_or_else(|| reach(false));
         let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
         let (from, to) = self.layers().last().map_or((0.0, 0.0), |(_, [from, to])| (from, to));
         let layers = if to.is_finite() { to } else { from };

@@ -54,12 +54,12 @@ pub fn map(
     let per_length = WIDTH / (x.ends().1 - x.ends().0);
     let depths = DrawnDepths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
     let error = error(field, grids, quantity);
-    let value = |point: &FieldPoint| known(quantity.of_in(point, scene.geometry), error);
+    let value = |point: &FieldPoint| known(quantity.of_in(point, scene.coordinates()), error);
     // infinite or not defined because stresses are infinite at this point
     let is_singular = |point: &FieldPoint| point.sigma_yy.is_infinite() && !quantity.of(point).is_finite();
     let clipped = points().any(is_singular) || depth.0 <= 0.0 && rises(scene, solution, quantity);
     let values = range(points().map(value), clipped).ok_or_else(|| {
-        let name = quantity.name_in(scene.geometry);
+        let name = quantity.name_in(scene.coordinates());
         PlotError::Empty(format!("{name} is infinite or not known at all points of the map"))
     })?;
     let largest = Largest::of(scene, field, grids, quantity)
@@ -79,7 +79,7 @@ pub fn map(
         Some(Largest { point: (x, at, _), value, .. }) if !clipped && map.shows(*x, *at) => values.with(*value),
         _ => values,
     };
-    let (name, dimension) = names::of_quantity(quantity, scene.geometry);
+    let (name, dimension) = names::of_quantity(quantity, scene.coordinates());
     let values = values.of(&name, unit(scene, dimension));
     let bands = match is_signed(quantity) {
         true => Bands::new(values, Some(error)),
@@ -105,7 +105,9 @@ fn error(field: &Field, grids: &[Grid], quantity: FieldQuantity) -> f64 {
         values.filter(|value| value.is_finite()).fold(0.0, f64::max)
     };
     match quantity {
-        FieldQuantity::U | FieldQuantity::V => error * largest(quantity) / largest(FieldQuantity::MaxShear).max(error),
+        FieldQuantity::U | FieldQuantity::V | FieldQuantity::W => {
+            error * largest(quantity) / largest(FieldQuantity::MaxShear).max(error)
+        }
         _ if quantity.is_strain() => error * largest(quantity) / largest(FieldQuantity::MaxShear).max(error),
         _ => error,
     }
@@ -121,7 +123,7 @@ fn rises(scene: &Scene, solution: &Solution, quantity: FieldQuantity) -> bool {
     let infinite = solution.contacts().first().is_some_and(|contact| contact.peak().pressure.is_infinite());
     let has_no_corners = |punch: &Punch| punch.is_sharp() || !punch.is_singular();
     match quantity {
-        FieldQuantity::U | FieldQuantity::V => false,
+        FieldQuantity::U | FieldQuantity::V | FieldQuantity::W => false,
         // under a tip, stresses along the face and across it are the same
         FieldQuantity::SigmaXy | FieldQuantity::MaxShear | FieldQuantity::GammaXy => {
             let punches = scene.top.punches();
@@ -158,7 +160,7 @@ impl Largest {
             let point = (found.x, found.depth, found.layer);
             return found.value.is_finite().then_some(Self { point, value: found.value, overall: true });
         }
-        let value = |point: &FieldPoint| quantity.of_in(point, scene.geometry);
+        let value = |point: &FieldPoint| quantity.of_in(point, scene.coordinates());
         let points = grids.iter().flat_map(|grid| grid.points());
         // of two that are the same the one on the right, and the one above
         let finite = points.filter(|point| value(point).is_finite());
@@ -192,10 +194,10 @@ impl Map<'_> {
     fn draw(&self, grids: &[Grid], bands: &Bands) -> Picture {
         let mut picture = Picture::new(WIDTH, HEIGHTS[1]);
         let Frame { left, top, right, bottom } = self.chart.frame;
-        let geometry = self.section.scene.geometry;
+        let coordinates = self.section.scene.coordinates();
         for grid in grids {
             let ys: Vec<f64> = grid.rows().filter_map(|row| Some(row.first()?.depth)).collect();
-            let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, geometry)).collect();
+            let values: Vec<f64> = grid.points().iter().map(|point| self.quantity.of_in(point, coordinates)).collect();
             // what is not known in this layer is left white
             if ys.len() > 1 && values.iter().any(|value| !value.is_nan()) {
                 let values = filled(values, grid.xs().len());
@@ -261,7 +263,7 @@ impl Map<'_> {
     /// Lines of text below the map.
     fn notes(&self) -> Vec<String> {
         let scene = self.section.scene;
-        let (_, dimension) = names::of_quantity(self.quantity, scene.geometry);
+        let (_, dimension) = names::of_quantity(self.quantity, scene.coordinates());
         let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(scene, dimension));
         let along = italic(scene.geometry.words().along);
         let mut notes = Vec::new();

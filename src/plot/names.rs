@@ -4,7 +4,7 @@ use recede_layers::tree::{Entry, Kind, Node};
 use super::picture::{italic, subscript};
 use super::scale::short;
 use crate::field::FieldQuantity;
-use crate::geometry::{Geometry, Words};
+use crate::geometry::{Coordinates, Words};
 pub(super) use crate::scene::Dimension;
 use crate::scene::{Loads, Scene, Units};
 use crate::solution::{Contact, Interface};
@@ -91,17 +91,19 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
 }
 
 /// The name of a quantity inside the stack, and its dimension.
-pub(super) fn of_quantity(quantity: FieldQuantity, geometry: Geometry) -> (String, Dimension) {
-    let symbol = written(quantity.name_in(geometry));
+pub(super) fn of_quantity(quantity: FieldQuantity, coordinates: Coordinates) -> (String, Dimension) {
+    let symbol = written(quantity.name_in(coordinates));
     let name = match quantity {
-        FieldQuantity::U | FieldQuantity::V => return (format!("displacement {symbol}"), Dimension::LENGTH),
+        FieldQuantity::U | FieldQuantity::V | FieldQuantity::W => {
+            return (format!("displacement {symbol}"), Dimension::LENGTH);
+        }
         FieldQuantity::Sigma1 => format!("larger principal stress {symbol}"),
         FieldQuantity::Sigma2 => format!("smaller principal stress {symbol}"),
         FieldQuantity::MaxShear => "largest shear stress".to_owned(),
         FieldQuantity::VonMises => "von Mises stress".to_owned(),
         FieldQuantity::Eps1 => format!("larger principal strain {symbol}"),
         FieldQuantity::Eps2 => format!("smaller principal strain {symbol}"),
-        FieldQuantity::GammaXy => format!("angle of shear {symbol}"),
+        FieldQuantity::GammaXy | FieldQuantity::GammaXz | FieldQuantity::GammaYz => format!("angle of shear {symbol}"),
         _ if quantity.is_strain() => format!("strain {symbol}"),
         _ => format!("stress {symbol}"),
     };

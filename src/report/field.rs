@@ -12,22 +12,25 @@ use super::digits::Digits;
 use super::ruled::ruled;
 use super::sweep::owner;
 use crate::field::{FaceProfile, FieldPoint, FieldQuantity};
-use crate::geometry::Geometry;
+use crate::geometry::Coordinates;
 use crate::profile::{ContactProfile, FaceProfiles};
 use crate::scene::{Dimension, Units};
 
 /// The stresses, displacements and strains at points, by the names that they have in this geometry, after the places; stable, more may be added. What
 /// is infinite, or not known, is infinite or NaN.
-pub fn field_columns(points: &[FieldPoint], geometry: Geometry) -> Vec<(String, Vec<f64>)> {
-    let mut columns = Vec::new();
+pub fn field_columns(points: &[FieldPoint], coordinates: impl Into<Coordinates>) -> Vec<(String, Vec<f64>)> {
+    let (coordinates, mut columns) = (coordinates.into(), Vec::new());
     let mut add = |name: &str, of: &dyn Fn(&FieldPoint) -> f64| {
         columns.push((name.to_owned(), points.iter().map(of).collect()));
     };
     add("x", &|point| point.x);
+    if coordinates == Coordinates::Cartesian {
+        add("y", &|point| point.z);
+    }
     add("depth", &|point| point.depth);
     add(LAYER, &|point| point.layer as f64);
-    for quantity in FieldQuantity::ALL {
-        add(quantity.name_in(geometry), &|point| quantity.of_in(point, geometry));
+    for quantity in FieldQuantity::all_in(coordinates) {
+        add(quantity.name_in(coordinates), &|point| quantity.of_in(point, coordinates));
     }
     add("slope", &|point| point.slope);
     columns
@@ -62,23 +65,24 @@ impl Serialize for PointRow<'_> {
 /// Errors of the writer.
 pub fn write_field(
     points: &[FieldPoint],
-    geometry: Geometry,
+    coordinates: impl Into<Coordinates>,
     units: Option<&Units>,
     format: Format,
     out: &mut dyn io::Write,
 ) -> io::Result<()> {
+    let coordinates = coordinates.into();
     match format {
         Format::Table => {
-            writeln!(out, "{}", table(points, geometry, units))?;
-            writeln!(out, "{}", strains(points, geometry, units))
+            writeln!(out, "{}", table(points, coordinates, units))?;
+            writeln!(out, "{}", strains(points, coordinates, units))
         }
         Format::Json => {
-            let columns = field_columns(points, geometry);
+            let columns = field_columns(points, coordinates);
             let points: Vec<PointRow> = (0..points.len()).map(|k| PointRow(&columns, k)).collect();
             serde_json::to_writer_pretty(&mut *out, &BTreeMap::from([("points", points)]))?;
             writeln!(out)
         }
-        Format::Csv => write_columns(&field_columns(points, geometry), out),
+        Format::Csv => write_columns(&field_columns(points, coordinates), out),
     }
 }
 
@@ -86,38 +90,46 @@ pub fn write_field(
 const SHOWN: Digits = Digits(Some(5));
 
 /// The stresses and displacements.
-fn table(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
-    let hoop = geometry.is_axisymmetric().then_some(FieldQuantity::SigmaZz);
-    let stresses: Vec<FieldQuantity> = [FieldQuantity::SigmaXx, FieldQuantity::SigmaYy, FieldQuantity::SigmaXy]
-        .into_iter()
-        .chain(hoop)
-        .chain([FieldQuantity::MaxShear, FieldQuantity::VonMises])
-        .collect();
-    let quantities: Vec<FieldQuantity> = stresses.into_iter().chain(DISPLACEMENTS).collect();
-    table_of(&quantities, points, geometry, units)
+fn table(points: &[FieldPoint], coordinates: Coordinates, units: Option<&Units>) -> Table {
+    use FieldQuantity::{MaxShear, SigmaXx, SigmaXy, SigmaXz, SigmaYy, SigmaYz, SigmaZz, U, V, VonMises, W};
+    let quantities: &[FieldQuantity] = match coordinates {
+        Coordinates::Plane => &[SigmaXx, SigmaYy, SigmaXy, MaxShear, VonMises, U, V],
+        Coordinates::Cylindrical => &[SigmaXx, SigmaYy, SigmaXy, SigmaZz, MaxShear, VonMises, U, V],
+        Coordinates::Cartesian => &[SigmaXx, SigmaZz, SigmaYy, SigmaXz, SigmaXy, SigmaYz, VonMises, U, W, V],
+    };
+    table_of(quantities, points, coordinates, units)
 }
 
 /// The strains.
-fn strains(points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
-    let strains: Vec<FieldQuantity> = FieldQuantity::ALL.into_iter().filter(|own| own.is_strain()).collect();
-    table_of(&strains, points, geometry, units)
+fn strains(points: &[FieldPoint], coordinates: Coordinates, units: Option<&Units>) -> Table {
+    let strains: Vec<FieldQuantity> = FieldQuantity::all_in(coordinates).filter(|own| own.is_strain()).collect();
+    table_of(&strains, points, coordinates, units)
 }
 
 /// Some quantities behind the places of points.
-fn table_of(quantities: &[FieldQuantity], points: &[FieldPoint], geometry: Geometry, units: Option<&Units>) -> Table {
+fn table_of(
+    quantities: &[FieldQuantity],
+    points: &[FieldPoint],
+    coordinates: Coordinates,
+    units: Option<&Units>,
+) -> Table {
     let [length, stress] = [Dimension::LENGTH, Dimension::STRESS].map(|dimension| Units::after(units, dimension));
     let unit = |quantity: &FieldQuantity| match quantity {
         quantity if quantity.is_strain() => "",
-        quantity if DISPLACEMENTS.contains(quantity) => &length[..],
+        FieldQuantity::U | FieldQuantity::V | FieldQuantity::W => &length[..],
         _ => &stress,
     };
-    let place = [(geometry.words().along, &length[..]), ("depth", &length), (LAYER, "")].into_iter();
-    let mut table = ruled(place.chain(quantities.iter().map(|own| (own.name_in(geometry), unit(own)))));
+    let across = (coordinates == Coordinates::Cartesian).then_some(("y", &length[..]));
+    let place = [(coordinates.along(), &length[..])].into_iter().chain(across);
+    let place = place.chain([("depth", &length[..]), (LAYER, "")]);
+    let mut table = ruled(place.chain(quantities.iter().map(|own| (own.name_in(coordinates), unit(own)))));
     for point in points {
-        let numbers = quantities.iter().map(|quantity| quantity.of_in(point, geometry));
-        let place = [SHOWN.exact(point.x), SHOWN.exact(point.depth), point.layer.to_string()];
+        let numbers = quantities.iter().map(|quantity| quantity.of_in(point, coordinates));
+        let across = across.map(|_| SHOWN.exact(point.z));
+        let place = [SHOWN.exact(point.x)].into_iter().chain(across);
+        let place = place.chain([SHOWN.exact(point.depth), point.layer.to_string()]);
         let unknown = |number: f64| if number.is_nan() { "not known".to_owned() } else { SHOWN.exact(number) };
-        table.add_row(place.into_iter().chain(numbers.map(unknown)));
+        table.add_row(place.chain(numbers.map(unknown)));
     }
     table
 }

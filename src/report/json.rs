@@ -16,7 +16,10 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         json!({"length": length, "force": force, "stress": stress})
     });
     let contacts = report.contacts();
-    let contacts = contacts.iter().map(|(name, own)| contact(name, own)).chain(solution.closed().iter().map(closed));
+    let axis = |k: usize| solution.axes().get(k).map(|axis| json!({"at": axis}));
+    let contact =
+        |(k, (name, own)): (usize, &(String, Contact))| joined([contact(name, own)].into_iter().chain(axis(k)));
+    let contacts = contacts.iter().enumerate().map(contact).chain(solution.closed().iter().map(closed));
     let contacts: Vec<Value> = contacts.collect();
     let of_each = |k: usize| report.approaches.get(k).and_then(|found| found.as_ref().ok());
     let punch = |(k, carried): (usize, &Carried)| {

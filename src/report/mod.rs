@@ -85,7 +85,11 @@ impl Report<'_> {
             let name = |k: usize| if is_one { name.clone() } else { format!("{name} {}", k + 1) };
             each.into_iter().enumerate().map(|(k, own)| (name(k), own)).collect::<Vec<_>>()
         };
-        self.solution.contacts().iter().flat_map(of).collect()
+        let mut all: Vec<(String, Contact)> = self.solution.contacts().iter().flat_map(of).collect();
+        if self.solution.axes().len() > 1 {
+            all.iter_mut().enumerate().for_each(|(k, (name, _))| *name = format!("{name} {}", k + 1));
+        }
+        all
     }
 
     /// The unit behind a number, with a space; empty if the scene does not name its units.

@@ -182,8 +182,8 @@ fn cells(sweep: &Sweep, row: Option<&Row>) -> Vec<(String, f64)> {
         sweep.axes().iter().enumerate().map(|(k, axis)| (column(axis.path()), value(k))).collect();
     let solution = row.and_then(|row| row.result.as_ref().ok());
     for (interface, punch) in sweep.contacts() {
-        let found = solution.and_then(|solution| solution.contacts().iter().find(|own| own.interface == interface));
-        let found = found.map_or(Vec::new(), Contact::of_each_punch);
+        let own = solution.into_iter().flat_map(Solution::contacts).filter(|own| own.interface == interface);
+        let found: Vec<Contact> = own.flat_map(Contact::of_each_punch).collect();
         let closed = solution.and_then(|solution| solution.closed().iter().find(|own| own.interface == interface));
         let missing = closed.map_or([f64::NAN; Contact::COLUMNS.len()], ClosedInterface::as_contact);
         let numbers = found.get(punch.unwrap_or(0)).map_or(missing, Contact::numbers);

@@ -93,6 +93,14 @@ fn contacts(report: &Report, [length, stress, line_load]: [&str; 3]) -> Table {
 /// Below the table: contacts of several intervals, largest pressures away from x = 0, and what an infinite pressure means.
 fn notes(report: &Report, [length, stress, line_load]: [&str; 3], out: &mut dyn io::Write) -> io::Result<()> {
     let (solution, digits) = (report.solution, Digits(report.digits));
+    for ((name, _), [x, y]) in report.contacts().iter().zip(solution.axes()) {
+        writeln!(
+            out,
+            "{name}: about the axis at x = {}{length}, y = {}{length}",
+            digits.rounded(*x),
+            digits.rounded(*y)
+        )?;
+    }
     let Words { along, distance, line_load: concentrated, .. } = report.scene.geometry.words();
     for (name, contact) in report.contacts() {
         let is_even = contact.is_even();

@@ -112,6 +112,9 @@ fn explain(fault: &Fault, subject: &Subject, rest: &str) -> (String, Option<Stri
                 Form::Name => {
                     Some(subject.write("names are written without quotes, fields with their names: `field: value`"))
                 }
+                Form::Open if subject.field == Some("at") => {
+                    Some("in axisymmetric scenes the place of a load has two coordinates: `at: (x, y)`".to_owned())
+                }
                 Form::Open => Some(subject.write("fields are written in parentheses: `name(field: value, ...)`")),
                 Form::Text | Form::List | Form::Close => None,
             },

@@ -5,6 +5,7 @@ use recede_layers::{Finite, Positive, described};
 use serde::{Deserialize, Serialize};
 
 use super::load::Load;
+use super::round::RoundLoad;
 use super::text::written;
 use super::value::{ListError, ValueError, check_list};
 use crate::geometry::Geometry;
@@ -39,6 +40,30 @@ pub struct PlacedLoad {
     at: Finite,
     /// The resultant, force per unit length out of the plane.
     pub(super) force: Positive,
+    /// The other coordinate of the middle, in length, of a load about an axis of its own.
+    #[serde(skip)]
+    y: Option<Finite>,
+}
+
+/// One of several loads about axes of their own, as it is written.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PlacedRoundLoad {
+    load: RoundLoad,
+    at: (Finite, Finite),
+    force: Positive,
+}
+
+impl From<PlacedRoundLoad> for PlacedLoad {
+    fn from(PlacedRoundLoad { load, at: (at, y), force }: PlacedRoundLoad) -> Self {
+        Self { load: load.into(), at, force, y: Some(y) }
+    }
+}
+
+impl From<&PlacedLoad> for PlacedRoundLoad {
+    fn from(PlacedLoad { load, at, force, y }: &PlacedLoad) -> Self {
+        Self { load: load.clone().into(), at: (*at, y.unwrap_or(Finite::ZERO)), force: *force }
+    }
 }
 
 impl Loads {
@@ -50,9 +75,41 @@ impl Loads {
     pub fn new(loads: &[(Load, f64, f64)]) -> Result<Self, ValueError> {
         let placed = |(load, at, force): &(Load, f64, f64)| {
             let (at, force) = (ValueError::checked("at", *at)?, ValueError::checked("force", *force)?);
-            Ok(PlacedLoad { load: load.clone(), at, force })
+            Ok(PlacedLoad { load: load.clone(), at, force, y: None })
         };
         Ok(loads.iter().map(placed).collect::<Result<Vec<_>, ValueError>>()?.try_into()?)
+    }
+
+    /// Loads about axes of their own on a stack without receding interfaces, each with the place (x, y) of its axis, in length, and its force > 0. What each of them
+    /// does alone is added up.
+    ///
+    /// ```
+    /// use recede::{HalfPlane, Geometry, Load, Loads, Model, SpacePoint, Stack};
+    /// let stack = Stack::builder(Geometry::Axisymmetric).layer(HalfPlane::new(1.0, 0.25)?).build()?;
+    /// let wheel = |y: f64| Ok::<_, recede::ValueError>((Load::uniform(0.5)?, [0.0, y], 1.0));
+    /// let loads = Loads::about_axes(&[wheel(-1.0)?, wheel(1.0)?])?;
+    /// let model = Model::new(stack)?;
+    /// let field = model.field(&model.press(&loads, loads.force())?)?;
+    /// let [under_one, other] = [-1.0, 1.0].map(|y| SpacePoint { x: 0.0, y, depth: 0.3, layer: None });
+    /// let found = field.points_in_space(&[under_one, other])?;
+    /// assert!((found[0].sigma_yy / found[1].sigma_yy - 1.0).abs() < 1e-12);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn about_axes(loads: &[(Load, [f64; 2], f64)]) -> Result<Self, ValueError> {
+        let all: Vec<(Load, f64, f64)> = loads.iter().map(|(load, [x, _], force)| (load.clone(), *x, *force)).collect();
+        let mut placed = Self::new(&all)?;
+        for (one, (_, [_, y], _)) in placed.0.iter_mut().zip(loads) {
+            one.y = Some(ValueError::checked("at", *y)?);
+        }
+        Ok(placed)
+    }
+
+    /// The places (x, y) of the axes, in length, if the loads are about axes of their own.
+    pub fn axes(&self) -> Option<Vec<[f64; 2]>> {
+        self.0.iter().map(|placed| Some([placed.at.get(), placed.y?.get()])).collect()
     }
 
     /// The sum of all forces, per unit length out of the plane.
@@ -69,7 +126,7 @@ impl Loads {
     /// The load, if it is one about x = 0.
     pub fn alone(&self) -> Option<&Load> {
         match &self.0[..] {
-            [PlacedLoad { load, at, .. }] if at.get() == 0.0 => Some(load),
+            [PlacedLoad { load, at, y: None, .. }] if at.get() == 0.0 => Some(load),
             _ => None,
         }
     }
@@ -101,12 +158,12 @@ impl Loads {
         is_even.then_some(centre)
     }
 
-    /// Whether the pressures are known in a geometry: about an axis every load is in the middle, and no ring is too narrow; in the plane
-    /// there are no rings.
+    /// Whether the pressures are known in a geometry: about an axis every load is in the middle or has an axis of its own, and no ring is too narrow; in the plane
+    /// there are neither rings nor axes.
     pub(crate) fn are_known_in(&self, geometry: Geometry) -> bool {
         let is_round = geometry.is_axisymmetric();
-        self.0.iter().all(|PlacedLoad { load, at, .. }| match load {
-            _ if is_round && at.get() != 0.0 => false,
+        self.0.iter().all(|PlacedLoad { load, at, y, .. }| match load {
+            _ if is_round && y.is_none() && at.get() != 0.0 || !is_round && y.is_some() => false,
             Load::Ring { radius, half_width } => is_round && half_width.get() >= NARROWEST * radius.get(),
             _ => true,
         })
@@ -118,6 +175,9 @@ impl fmt::Display for Loads {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.alone() {
             Some(load) => load.fmt(f),
+            None if self.axes().is_some() => {
+                f.write_str(&written(&self.0.iter().map(PlacedRoundLoad::from).collect::<Vec<_>>()))
+            }
             None => f.write_str(&written(&self.0)),
         }
     }
@@ -126,7 +186,7 @@ impl fmt::Display for Loads {
 impl From<Load> for Loads {
     /// One load about x = 0.
     fn from(load: Load) -> Self {
-        Self(vec![PlacedLoad { load, at: Finite::ZERO, force: Positive::ONE }])
+        Self(vec![PlacedLoad { load, at: Finite::ZERO, force: Positive::ONE, y: None }])
     }
 }
 
@@ -139,4 +199,4 @@ impl TryFrom<Vec<PlacedLoad>> for Loads {
     }
 }
 
-described!(Loads in "[(load: ..., at: x, force: P), ...], one or more loads with their places x and forces P > 0");
+described!(Loads in "[(load: ..., at: x, force: P), ...], one or more loads with their places x, or (x, y) in axisymmetric scenes, and forces P > 0");

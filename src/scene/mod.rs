@@ -56,7 +56,7 @@ pub(crate) use shape::{Piece, Shape};
 pub(crate) use text::visible_json;
 pub(crate) use units::Dimension;
 
-use crate::geometry::Geometry;
+use crate::geometry::{Coordinates, Geometry};
 use origin::Origin;
 use read::PRESSURE_ON_TOP;
 use read_top::tops;
@@ -135,6 +135,12 @@ impl Scene {
     /// The dimension of its forces: in plane problems they are per unit of length.
     pub(crate) fn force_dimension(&self) -> Dimension {
         if self.geometry.is_axisymmetric() { Dimension::FORCE } else { Dimension::LINE_LOAD }
+    }
+
+    /// The coordinates in which the fields of the scene are told.
+    pub fn coordinates(&self) -> Coordinates {
+        let is_spatial = self.top.loads().is_some_and(|loads| loads.axes().is_some());
+        if is_spatial { Coordinates::Cartesian } else { self.geometry.into() }
     }
 
     /// The title of the scene in a report: its name, or else the name of its file without folder and ending.

@@ -161,17 +161,29 @@ fn add(path: &str, owner: Owner, node: &Node, slots: &mut Vec<(String, Slot)>) {
             fields.iter().for_each(|field| add(&format!("{path}.{}", field.name), owner, &field.value, slots));
         }
         Kind::List(members) => {
-            let members = members.iter().enumerate();
-            members.for_each(|(index, member)| add(&format!("{path}[{}]", index + 1), owner, member, slots));
+            for (path, member) in numbered(path, members) {
+                match &member.kind {
+                    // of a row of a table: the value under its number, and where it is
+                    Kind::Row(row) if row.len() == 2 => {
+                        add(&format!("{path}.at"), owner, &row[0], slots);
+                        add(&path, owner, &row[1], slots);
+                    }
+                    _ => add(&path, owner, member, slots),
+                }
+            }
         }
         // a number or a list behind a name, as in `Fixed(0.1)`, is the number or the list of the name
-        Kind::Row(members) => {
-            let is_only = node.name.is_some() && members.len() == 1;
-            let own = members.iter().filter(|member| is_only || !member.members().is_empty());
-            own.for_each(|member| add(path, owner, member, slots));
+        Kind::Row(members) if node.name.is_some() => {
+            members.iter().for_each(|member| add(path, owner, member, slots));
         }
+        Kind::Row(members) => numbered(path, members).for_each(|(path, member)| add(&path, owner, member, slots)),
         Kind::Nothing | Kind::Text(_) => {}
     }
+}
+
+/// The members of a list with their paths.
+fn numbered<'a>(path: &str, members: &'a [Node]) -> impl Iterator<Item = (String, &'a Node)> {
+    members.iter().enumerate().map(move |(index, member)| (format!("{path}[{}]", index + 1), member))
 }
 
 /// Gives the values that change their new numbers.

@@ -62,7 +62,7 @@ pub(super) struct Draft {
     /// In place of a punch: a given pressure on top, with the force as its resultant.
     #[schemars(with = "Option<Load>")]
     load: Option<IgnoredAny>,
-    /// In place of a punch: several given pressures, each anywhere on x with a force of its own.
+    /// In place of a punch: several given pressures, each anywhere on x with a force of its own; in axisymmetric scenes each about an axis of its own, `at: (x, y)`.
     #[schemars(with = "Option<Loads>")]
     loads: Option<IgnoredAny>,
     /// Line load P that presses the punch down, or resultant of the `load`: force per unit length out of the plane; the whole force in axisymmetric scenes.

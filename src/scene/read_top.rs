@@ -3,6 +3,7 @@ use recede_layers::tree::{Fault, Form, Kind, Node};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
+use super::loads::PlacedRoundLoad;
 use super::origin::{Origin, SceneError};
 use super::round::{RoundLoad, RoundPunch};
 use super::value::{ListError, ValueError};
@@ -47,10 +48,10 @@ pub(super) fn read_top(name: &str, node: &Node, geometry: Geometry, origin: &Ori
         Err(error.hinted(Some(format!("about an axis write {hint}"))))
     };
     match (name, geometry.is_axisymmetric()) {
-        ("loads", true) => not_round("`load: ...`, which is one disc, one ring, or a point force"),
-        ("loads", false) => list::<PlacedLoad, Loads>(node, ["load", name], origin).map(Top::from),
+        ("loads", true) => list::<PlacedRoundLoad, PlacedLoad, Loads>(node, ["load", name], origin).map(Top::from),
+        ("loads", false) => list::<PlacedLoad, PlacedLoad, Loads>(node, ["load", name], origin).map(Top::from),
         ("punches", true) => not_round("`punch: ...`, which is one punch about the axis"),
-        ("punches", false) => list::<Pressed, Punches>(node, ["punch", name], origin).map(Top::from),
+        ("punches", false) => list::<Pressed, Pressed, Punches>(node, ["punch", name], origin).map(Top::from),
         ("load", _) if node.name.as_deref() == Some(SEVERAL) => Err(several(node, origin)),
         ("load", true) => origin.read::<RoundLoad>(node, &owner).map(|load| Load::from(load).into()),
         ("load", false) => origin.read::<Load>(node, &owner).map(Top::from),
@@ -59,19 +60,20 @@ pub(super) fn read_top(name: &str, node: &Node, geometry: Geometry, origin: &Ori
     }
 }
 
-/// Reads a list of punches or loads; in messages each has a word and its number.
-fn list<T, L>(list: &Node, [one, all]: [&str; 2], origin: &Origin) -> Result<L, SceneError>
+/// Reads a list of punches or loads as they are written; in messages each has a word and its number.
+fn list<T, M, L>(list: &Node, [one, all]: [&str; 2], origin: &Origin) -> Result<L, SceneError>
 where
     T: DeserializeOwned,
-    L: TryFrom<Vec<T>, Error = ListError>,
+    M: From<T>,
+    L: TryFrom<Vec<M>, Error = ListError>,
 {
     let nodes = origin.list(list, &format!("the {all}"))?;
     let read = |(i, node): (usize, &Node)| {
         let named = node.name.as_ref().map(|_| Fault::Expected(Form::Open).at(node.place.start));
         let read = named.map_or_else(|| node.read::<T>(), Err);
-        read.map_err(|error| origin.explained(node, &format!("{one} {}", i + 1), None, error))
+        read.map(M::from).map_err(|error| origin.explained(node, &format!("{one} {}", i + 1), None, error))
     };
-    let members = nodes.iter().enumerate().map(read).collect::<Result<Vec<T>, _>>()?;
+    let members = nodes.iter().enumerate().map(read).collect::<Result<Vec<M>, _>>()?;
     members.try_into().map_err(|cause: ListError| {
         let (number, path) = cause.place().unwrap_or_default();
         let whole = number.checked_sub(1).and_then(|index| nodes.get(index)).unwrap_or(list);

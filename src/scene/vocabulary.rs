@@ -107,8 +107,9 @@ pub fn scene_schema(registry: &Registry) -> Json {
     let mut schema = schema_of::<Draft>().to_value();
     // about the axis punches and loads have other names
     let (punch, load) = (schema_of::<RoundPunch>().to_value(), schema_of::<RoundLoad>().to_value());
+    let loads = schema["properties"]["loads"].clone();
     let round =
-        json!({"punch": punch, "punches": false, "load": load, "loads": false, "geometry": {"enum": ["Axisymmetric"]}});
+        json!({"punch": punch, "punches": false, "load": load, "loads": loads, "geometry": {"enum": ["Axisymmetric"]}});
     let mut plane = json!({});
     for field in TOPS {
         plane[field] = schema["properties"][field].take();

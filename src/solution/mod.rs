@@ -138,6 +138,8 @@ pub struct Solution {
     /// The stack that it belongs to, which [`crate::Model`] sets and compares.
     pub(crate) stack: Option<OwnerKey>,
     pub(crate) contacts: Vec<Contact>,
+    /// Where loads press about axes of their own, the place (x, y) of the axis of each; else none.
+    pub(crate) axes: Vec<[f64; 2]>,
     /// Interfaces that weights keep closed.
     pub(crate) closed: Vec<ClosedInterface>,
     pub(crate) force: f64,
@@ -201,6 +203,11 @@ impl Solution {
         &self.rotations
     }
 
+    /// The places (x, y) of the axes of loads about axes of their own, each of which is a contact about its axis; none of all that else presses.
+    pub fn axes(&self) -> &[[f64; 2]] {
+        &self.axes
+    }
+
     /// The contacts from the top down: the punch first.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
@@ -223,7 +230,8 @@ impl Solution {
 
     /// Where the leftmost contact or load begins, and where the rightmost one ends; `[-extent, extent]` if all are even about x = 0.
     pub fn ends(&self) -> [f64; 2] {
-        let ends = self.contacts.iter().map(Contact::ends);
+        let at = |k: usize| self.axes.get(k).map_or(0.0, |[x, _]| *x);
+        let ends = self.contacts.iter().enumerate().map(|(k, contact)| contact.ends().map(|end| at(k) + end));
         ends.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])]).unwrap_or_default()
     }
 

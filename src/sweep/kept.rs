@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::{Probe, Row, Sweep};
 use crate::errors::Error;
-use crate::field::{Field, FieldError, FieldPoint, Point};
+use crate::field::{Field, FieldError, FieldPoint, SpacePoint};
 use crate::model::Model;
 use crate::scene::{Change, Owner, Scene, Top};
 use crate::solution::Solution;
@@ -81,9 +81,9 @@ impl Sweep {
 
     /// What the field has at the points that are asked for.
     fn probed(&self, field: &Field) -> Result<Vec<f64>, FieldError> {
-        let points: Vec<Point> = self.probes.iter().map(|probe| probe.point).collect();
-        let found = field.points(&points)?;
-        let of = |(probe, point): (&Probe, &FieldPoint)| probe.quantity.of_in(point, self.scene.geometry);
+        let points: Vec<SpacePoint> = self.probes.iter().map(|probe| probe.point).collect();
+        let found = field.points_in_space(&points)?;
+        let of = |(probe, point): (&Probe, &FieldPoint)| probe.quantity.of_in(point, field.coordinates());
         Ok(self.probes.iter().zip(&found).map(of).collect())
     }
 

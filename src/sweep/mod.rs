@@ -31,7 +31,7 @@ use crate::errors::Error;
 use crate::field::{Extremes, FieldError};
 use crate::model::Model;
 use crate::options::Options;
-use crate::scene::{Item, Owner, Scene, Slot};
+use crate::scene::{Item, Loads, Owner, Scene, Slot};
 use crate::solution::{Interface, Solution};
 
 /// Most rows of a sweep.
@@ -285,10 +285,11 @@ impl Sweep {
         &self.interfaces
     }
 
-    /// The contacts of which tables have columns: as [`Self::interfaces`], but each of several punches by itself, from the left, with its
+    /// The contacts of which tables have columns: as [`Self::interfaces`], but each of several punches, from the left, and of loads about axes of their own by itself, with its
     /// number from 0.
     pub(crate) fn contacts(&self) -> impl Iterator<Item = (Interface, Option<usize>)> {
-        let punches = self.scene.top.punches().map_or(1, |punches| punches.parts().count());
+        let axes = self.scene.top.loads().and_then(Loads::axes).map_or(1, |axes| axes.len());
+        let punches = self.scene.top.punches().map_or(axes, |punches| punches.parts().count());
         self.interfaces.iter().flat_map(move |interface| {
             let count = if *interface == Interface::Punch { punches } else { 1 };
             (0..count).map(move |k| (*interface, (count > 1).then_some(k)))
