@@ -102,6 +102,8 @@ fn one_load_is_what_it_is_about_its_axis() {
     }
 }
 
+type Map<'a> = &'a dyn Fn([f64; 2]) -> [f64; 2];
+
 #[test]
 fn moved_turned_and_mirrored_scenes_have_such_fields() {
     let stack = "Exponential(thickness: 0.7, shear_modulus: 2, poisson: 0.1, beta: 1.5), Bonded, Homogeneous(thickness: 1, shear_modulus: 5, poisson: 0.3), Sliding,
@@ -116,7 +118,7 @@ fn moved_turned_and_mirrored_scenes_have_such_fields() {
     // by an angle of 3-4-5, and aside; mirrored in the plane y = 0
     let turned = |[x, y]: [f64; 2]| [0.6 * x - 0.8 * y + 3.0, 0.8 * x + 0.6 * y - 7.0];
     let mirrored = |[x, y]: [f64; 2]| [x, -y];
-    let maps: [(&dyn Fn([f64; 2]) -> [f64; 2], [[f64; 3]; 3]); 2] = [
+    let maps: [(Map, [[f64; 3]; 3]); 2] = [
         (&turned, [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]]),
         (&mirrored, [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]),
     ];

@@ -421,3 +421,29 @@ def test_layers_with_weights_come_apart() -> None:
     assert separation is not None and separation.critical_force == pytest.approx(44.13910598462163)
     assert scene.solve().separation == separation
     assert Scene(stack, load=recede.Line(), force=1.0).solve().closed[0].openings == ()
+
+
+def test_loads_about_axes_of_their_own_are_added_up():
+    stack = recede.Stack(
+        [
+            recede.Homogeneous(thickness=150, young=3000, poisson=0.30),
+            recede.Bonded(),
+            recede.Homogeneous(thickness=600, young=200, poisson=0.35),
+            recede.Bonded(),
+            recede.HalfPlane(young=40, poisson=0.40),
+        ],
+        geometry="Axisymmetric",
+    )
+    wheels = [(recede.Uniform(radius=150), (0, y), 1.1 * np.pi * 150**2) for y in (150, -150)]
+    scene = Scene(stack, loads=wheels)
+    assert scene.loads == tuple(recede.PlacedLoad(*wheel) for wheel in wheels)
+    assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
+    field = scene.solve().field()
+    # under two wheels and between them, as ELLEA1 has it
+    found = field.at(0, 0, y=[0, 150])
+    assert found.u_z == pytest.approx([1.91744256584, 1.86038860024], rel=1e-10) and list(found.y) == [0, 150]
+    assert field.at_y(150).grid([0, 1], [0, 10]).u_z[0, 0] == pytest.approx(1.86038860024, rel=1e-10)
+    with pytest.raises(recede.InputError, match="about one axis only"):
+        field.max_shear()
+    with pytest.raises(ValueError, match="`x` of shape .2,. and `depth` of shape .. and `y` of shape .3,. do not fit"):
+        field.at([0, 1], 0, y=[0, 1, 2])

@@ -3,6 +3,7 @@ use std::fmt::Display;
 
 use crate::approach::ApproachError;
 use crate::field::{Extreme, Extremes, Field, FieldError, FieldPoint, FieldQuantity, Grid};
+use crate::geometry::Coordinates;
 use crate::model::Model;
 use crate::profile::profile_places;
 use crate::report::{Format, Report, write_field, write_profile};
@@ -24,7 +25,9 @@ const PRESSED: f64 = 1e-5;
 
 /// Does what `solve`, `field` and `plot` do with a solution, pictures too if requested; the error is what is wrong.
 pub(super) fn run(scene: &Scene, model: &Model, solution: &Solution, pictures: bool) -> Result<(), String> {
+    // under loads at several places (x, y) the vertical plane through the first axis
     let field = step("field", model.field(solution))?;
+    let field = step("field", field.at_y(solution.axes().first().map_or(0.0, |[_, y]| *y)))?;
     openings(scene, model, solution)?;
     reports(scene, model, solution, &field)?;
     fields(scene, solution, &field)?;
@@ -76,16 +79,19 @@ fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> 
             _ => {}
         }
     }
-    let max_shear = step("largest shear stress", field.max_shear())?;
-    let extremes = step("extremes", field.extremes())?;
+    let searched = match field.coordinates() {
+        // nowhere searched for
+        Coordinates::Cartesian => None,
+        _ => Some((step("largest shear stress", field.max_shear())?, step("extremes", field.extremes())?)),
+    };
     let report = Report {
         scene,
         solution,
         separation: model.separation(&scene.top, solution).map_err(|error| error.to_string())?,
         approaches: &approaches,
         // it is infinite under a line load, at corners, and under some tips
-        max_shear: Some(max_shear).filter(|found| found.value.is_finite()),
-        extremes: Some(&extremes),
+        max_shear: searched.as_ref().map(|(max_shear, _)| *max_shear).filter(|found| found.value.is_finite()),
+        extremes: searched.as_ref().map(|(_, extremes)| extremes),
         collocated: None,
         digits: None,
         seconds: 0.0,
@@ -101,6 +107,7 @@ fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> 
             step("JSON report", serde_json::from_str::<serde_json::Value>(&text))?;
         }
     }
+    let Some((max_shear, extremes)) = searched else { return Ok(()) };
     if max_shear.value.is_nan() || max_shear.value < 0.0 {
         return Err(format!("the largest shear stress is {}", max_shear.value));
     }
@@ -112,7 +119,7 @@ fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), Stri
     let places = profile_places(solution, None, 40);
     let profile = match model.profile(&scene.top, solution, &places) {
         // next to a contact that is much shorter than another there are too many short waves
-        Err(FieldError::TooFar(_)) => return Ok(()),
+        Err(FieldError::TooFar(_) | FieldError::Superposed) => return Ok(()),
         profile => step("profile", profile)?,
     };
     // what is left out of an answer, and a warning tells of, may penetrate
@@ -175,14 +182,21 @@ fn nowhere_larger(solution: &Solution, field: &Field, max_shear: f64, extremes: 
 fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), String> {
     let [xs, depths] = grid(solution, field);
     let grid = step("field", field.grid(&xs, &depths))?;
-    let top = &solution.contacts()[0];
+    let (top, axes) = (&solution.contacts()[0], solution.axes());
+    let pressure = |point: &FieldPoint| match axes {
+        [] => top.pressure(point.x),
+        _ => {
+            let at = |[x, y]: &[f64; 2]| (point.x - x).hypot(point.z - y);
+            solution.contacts().iter().zip(axes).map(|(contact, axis)| contact.pressure(at(axis))).sum()
+        }
+    };
     for point in grid.points() {
         for quantity in FieldQuantity::ALL {
             let value = quantity.of(point);
             // stresses out of the plane may be unknown
             let unknown = value.is_nan() && quantity.is_out_of_plane();
             // under a line load and a tip pressures are infinite, and a half-plane sinks without end under a line load
-            let infinite = top.pressure(point.x).is_infinite() && point.depth == 0.0;
+            let infinite = pressure(point).is_infinite() && point.depth == 0.0;
             let sinks = quantity == FieldQuantity::V && top.pressure(0.0).is_infinite();
             if !(value.is_finite() || unknown || infinite || sinks) {
                 let FieldPoint { x, depth, .. } = point;
@@ -191,13 +205,14 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
         }
     }
     for format in [Format::Csv, Format::Json] {
-        step("field file", write_field(grid.points(), scene.geometry, None, format, &mut Vec::new()))?;
+        step("field file", write_field(grid.points(), field.coordinates(), None, format, &mut Vec::new()))?;
     }
     let [left, right] = top.ends();
     let mean = top.resultant / scene.geometry.size(left, right);
     for point in grid.rows().next().unwrap_or_default() {
         let FieldPoint { x, sigma_xy, sigma_yy, .. } = *point;
-        let (pressure, missing) = (top.pressure(x), sigma_yy + top.pressure(x) + scene.pressure_on_top);
+        let pressure = pressure(point);
+        let missing = sigma_yy + pressure + scene.pressure_on_top;
         // under a tip both are infinite
         if pressure.is_finite() && !(missing.abs() <= PRESSED * mean && sigma_xy.abs() <= PRESSED * mean) {
             let what = format!("stress and pressure differ by {missing:e}, shear {sigma_xy:e}, mean pressure {mean:e}");

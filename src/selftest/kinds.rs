@@ -70,15 +70,21 @@ pub fn scene_with_punches(ranges: &Ranges, seed: u64, number: u64) -> Result<Sce
     Ok(with_punches)
 }
 
-/// The same scene about an axis, with the last of several loads as a ring, and layers and a base of isotropic materials in place of
-/// orthotropic ones, as stiff against shear.
+/// The same scene about an axis, with several loads about axes of their own or, where layers come apart, the last one as a ring, and layers and a base of isotropic
+/// materials in place of orthotropic ones, as stiff against shear.
 pub fn about_axis(mut scene: Scene) -> Scene {
     scene.geometry = Geometry::Axisymmetric;
     if let Top::Loads(loads) = &scene.top
         && loads.alone().is_none()
     {
         let ring = loads.parts().last().map(|(load, at, _)| Load::ring(at, load.half_width().max(1e-3 * at)));
-        scene.top = ring.and_then(Result::ok).unwrap_or(Load::Line).into();
+        let apart = |(load, at, share): (&Load, f64, f64)| (load.clone(), [at, share * at], share * loads.force());
+        let apart = Loads::about_axes(&loads.parts().map(apart).collect::<Vec<_>>()).map(Top::from);
+        let is_loose = scene.stack.iter().any(|item| matches!(item, Item::Receding | Item::RecedingGap(_)));
+        scene.top = match apart {
+            Ok(apart) if !is_loose => apart,
+            _ => ring.and_then(Result::ok).unwrap_or(Load::Line).into(),
+        };
     }
     for item in &mut scene.stack {
         let Item::Layer(layer) = &*item else { continue };
