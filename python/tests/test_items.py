@@ -434,7 +434,7 @@ def test_loads_about_axes_of_their_own_are_added_up():
         ],
         geometry="Axisymmetric",
     )
-    wheels = [(recede.Uniform(radius=150), (0, y), 1.1 * np.pi * 150**2) for y in (150, -150)]
+    wheels = [(recede.Uniform(radius=150.0), (0.0, y), 1.1 * np.pi * 150**2) for y in (150.0, -150.0)]
     scene = Scene(stack, loads=wheels)
     assert scene.loads == tuple(recede.PlacedLoad(*wheel) for wheel in wheels)
     assert eval(repr(scene), vars(recede)) == scene == Scene.from_ron(scene.to_ron()) == pickle.loads(pickle.dumps(scene))
