@@ -123,28 +123,48 @@ impl Table {
         about + &self.in_pairs().unwrap_or_else(|| self.one_by_one())
     }
 
+    /// The head of the first column and its cells. Where all are values of the same parameters, as in `R/h = 10, μh/P = 500`, the head has their names.
+    fn of(&self) -> (String, Vec<String>) {
+        let split = |number: &Number| {
+            let items: Option<Vec<(&str, &str)>> = number.of.split(", ").map(|item| item.split_once(" = ")).collect();
+            let (names, values): (Vec<&str>, Vec<&str>) = items?.into_iter().unzip();
+            Some((names.join(", "), values.join(", ")))
+        };
+        let all: Option<Vec<(String, String)>> = self.numbers.iter().map(split).collect();
+        match all.and_then(|all| Some((all.first()?.0.clone(), all))) {
+            Some((names, all)) if all.iter().all(|(own, _)| *own == names) => {
+                (names, all.into_iter().map(|(_, values)| values).collect())
+            }
+            _ => ("of".to_owned(), self.numbers.iter().map(|number| number.of.clone()).collect()),
+        }
+    }
+
     /// A row for each number.
     fn one_by_one(&self) -> String {
-        let row = |number: &Number| format!("| {} | {} | {} |\n", number.of, number.quantity, number.cells());
-        let rows: String = self.numbers.iter().map(row).collect();
-        format!("| of | quantity | published | computed | difference |\n|---|---|---|---|---|\n{rows}")
+        let (of, values) = self.of();
+        let row =
+            |(value, number): (&str, &Number)| format!("| {value} | {} | {} |\n", number.quantity, number.cells());
+        let rows: String = values.iter().map(|value| &value[..]).zip(&self.numbers).map(row).collect();
+        format!("| {of} | quantity | published | computed | difference |\n|---|---|---|---|---|\n{rows}")
     }
 
     /// A row for each two numbers; `None` unless they are the same two quantities of everything.
     fn in_pairs(&self) -> Option<String> {
         let mut rows = String::new();
         let mut quantities = None;
+        let (of, values) = self.of();
+        let mut values = values.iter().step_by(2);
         for pair in self.numbers.chunk_by(|a, b| a.of == b.of) {
             let [first, second] = pair else { return None };
             let own = (first.quantity, second.quantity);
             if *quantities.get_or_insert(own) != own {
                 return None;
             }
-            rows += &format!("| {} | {} | {} |\n", first.of, first.cells(), second.cells());
+            rows += &format!("| {} | {} | {} |\n", values.next()?, first.cells(), second.cells());
         }
         let (first, second) = quantities?;
         let rule = "|---".repeat(7);
-        Some(format!("| of | {first} | computed | difference | {second} | computed | difference |\n{rule}|\n{rows}"))
+        Some(format!("| {of} | {first} | computed | difference | {second} | computed | difference |\n{rule}|\n{rows}"))
     }
 }
 
