@@ -8,19 +8,15 @@ const CERTAIN: f64 = 0.05;
 const HEAD: &str = "\
 # Published numbers, computed again
 
-Numbers from the literature next to the same numbers computed with `recede`. The *difference* is the published number minus the computed one, relative to the computed one. The
-*assessment* is
+Numbers from the literature next to the same numbers computed with `recede`. The *difference* is
 
 * –, if the published number is the computed one rounded to as many digits;
 * last digit, if it differs by one in the last printed digit (often because a number was cut off instead of rounded);
-* source, if it differs by more; the text above the table gives the reason.
+* otherwise the published number minus the computed one, relative to the computed one; the text above the table gives the reason.
 
-Every difference is an error of the publication: the estimated error of each computed number is less than a twentieth of the last printed digit.
-[accuracy.md](accuracy.md) shows that these estimates hold, and compares the solver with references of many digits. The publications are
-listed in [references.md](references.md).
-
-The tables contain only numbers whose source and problem are known for certain. Publications on receding contact that were available by title only are left out, and so are
-numbers read from curves; the figures of the source paper are drawn again in [figures](figures/README.md).
+Every difference is an error of the publication: the estimated error of each computed number is less than a twentieth of the last printed digit, and
+[accuracy.md](accuracy.md) shows that these estimates hold. The publications are listed in [references.md](references.md). Numbers read from curves are left out;
+the figures of the source paper are drawn again in [figures](figures/README.md).
 ";
 
 /// A published number, and the same computed here.
@@ -99,19 +95,16 @@ impl Number {
         self.error < CERTAIN * self.unit()
     }
 
-    fn row(&self) -> String {
-        let verdict = match self.verdict() {
-            Verdict::SameDigits => "–",
-            Verdict::LastDigit => "last digit",
-            Verdict::Source => "source",
-            Verdict::Misprint => "source: a misprint",
+    /// Published number, computed number and difference as cells of a table.
+    fn cells(&self) -> String {
+        let difference = match self.verdict() {
+            Verdict::SameDigits => "–".to_owned(),
+            Verdict::LastDigit => "last digit".to_owned(),
+            Verdict::Source => format!("{:+.2} %", 100.0 * self.difference()),
+            Verdict::Misprint => "misprint".to_owned(),
         };
-        let Self { of, quantity, published, computed, .. } = self;
         let decimals = self.decimals() + 2;
-        format!(
-            "| {of} | {quantity} | {published} | {computed:.decimals$} | {:+.2} % | {verdict} |\n",
-            100.0 * self.difference()
-        )
+        format!("{} | {:.decimals$} | {difference}", self.published, self.computed)
     }
 }
 
@@ -126,12 +119,52 @@ impl Table {
         let within = self.within.iter().map(|(quantity, part)| format!("{quantity} within {:.2} %", 100.0 * part));
         let within = within.collect::<Vec<_>>().join(", ");
         let counted = counted(self.numbers.iter());
-        let rows: String = self.numbers.iter().map(Number::row).collect();
-        format!(
-            "\n## {}\n\n{}\n\n{counted} Differences: {within}.\n\n\
-             | of | quantity | published | computed | difference | assessment |\n|---|---|---|---|---|---|\n{rows}",
-            self.title, self.about
-        )
+        let about = format!("\n## {}\n\n{}\n\n{counted} Differences: {within}.\n\n", self.title, self.about);
+        about + &self.in_pairs().unwrap_or_else(|| self.one_by_one())
+    }
+
+    /// The head of the first column and its cells. Where all are values of the same parameters, as in `R/h = 10, μh/P = 500`, the head has their names.
+    fn of(&self) -> (String, Vec<String>) {
+        let split = |number: &Number| {
+            let items: Option<Vec<(&str, &str)>> = number.of.split(", ").map(|item| item.split_once(" = ")).collect();
+            let (names, values): (Vec<&str>, Vec<&str>) = items?.into_iter().unzip();
+            Some((names.join(", "), values.join(", ")))
+        };
+        let all: Option<Vec<(String, String)>> = self.numbers.iter().map(split).collect();
+        match all.and_then(|all| Some((all.first()?.0.clone(), all))) {
+            Some((names, all)) if all.iter().all(|(own, _)| *own == names) => {
+                (names, all.into_iter().map(|(_, values)| values).collect())
+            }
+            _ => ("of".to_owned(), self.numbers.iter().map(|number| number.of.clone()).collect()),
+        }
+    }
+
+    /// A row for each number.
+    fn one_by_one(&self) -> String {
+        let (of, values) = self.of();
+        let row =
+            |(value, number): (&str, &Number)| format!("| {value} | {} | {} |\n", number.quantity, number.cells());
+        let rows: String = values.iter().map(|value| &value[..]).zip(&self.numbers).map(row).collect();
+        format!("| {of} | quantity | published | computed | difference |\n|---|---|---|---|---|\n{rows}")
+    }
+
+    /// A row for each two numbers; `None` unless they are the same two quantities of everything.
+    fn in_pairs(&self) -> Option<String> {
+        let mut rows = String::new();
+        let mut quantities = None;
+        let (of, values) = self.of();
+        let mut values = values.iter().step_by(2);
+        for pair in self.numbers.chunk_by(|a, b| a.of == b.of) {
+            let [first, second] = pair else { return None };
+            let own = (first.quantity, second.quantity);
+            if *quantities.get_or_insert(own) != own {
+                return None;
+            }
+            rows += &format!("| {} | {} | {} |\n", values.next()?, first.cells(), second.cells());
+        }
+        let (first, second) = quantities?;
+        let rule = "|---".repeat(7);
+        Some(format!("| {of} | {first} | computed | difference | {second} | computed | difference |\n{rule}|\n{rows}"))
     }
 }
 
@@ -139,20 +172,22 @@ const FOOT: &str = "
 ## How this page is made
 
 `cargo run --release --example published_tables` writes it. `tests/examples.rs` checks that the page is up to date, that no difference is
-larger than stated above its table, and that the computed numbers are accurate enough for the assessments.
+larger than stated above its table, and that the computed numbers are accurate enough for these statements.
 ";
 
 /// How many numbers were printed right.
 fn counted<'a>(numbers: impl Iterator<Item = &'a Number> + Clone) -> String {
     let count = |verdict: Verdict| numbers.clone().filter(|number| number.verdict() == verdict).count();
-    format!(
-        "Numbers: {}. Right in all digits: {}; one off in the last digit: {}; different by more: {}; misprinted: {}.",
-        numbers.clone().count(),
-        count(Verdict::SameDigits),
-        count(Verdict::LastDigit),
-        count(Verdict::Source),
-        count(Verdict::Misprint),
-    )
+    let kinds = [
+        (Verdict::SameDigits, "right in all digits"),
+        (Verdict::LastDigit, "one off in the last digit"),
+        (Verdict::Source, "different by more"),
+        (Verdict::Misprint, "misprinted"),
+    ];
+    let kinds = kinds.map(|(verdict, words)| (count(verdict), words));
+    let kinds: Vec<String> =
+        kinds.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect();
+    format!("{} numbers: {}.", numbers.clone().count(), kinds.join(", "))
 }
 
 /// The whole document.

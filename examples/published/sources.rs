@@ -61,8 +61,8 @@ fn kahya(rows: &[Row]) -> Table {
     Table {
         title: "The same by Kahya et al.",
         about: "\
-The column \"Kahya\" of the same table, numbers of an earlier paper that the source paper compares with. For both the paper lists residuals of the resultants of
-1e-4 or less; neither such a residual nor the agreement of two such results shows that b is right.",
+The column \"Kahya\" of the same table, from an earlier paper. Residuals of the resultants of
+1e-4 or less, as listed for both, do not show that b is right.",
         within: vec![("a/h", 1e-3), ("b/h", 8.5e-3)],
         numbers: numbers.flatten().collect(),
     }
@@ -112,9 +112,9 @@ fn filon() -> Result<Table, Error> {
         title: "Where a layer has to lift off: Filon 1903",
         about: "\
 An infinite layer of thickness 2h under opposite line loads on both faces: Filon 1903, as quoted by Barber 2018, chapter 11. Beyond this distance from the line of
-action the stress across the middle plane is a tension, so that a layer of thickness h pressed on a smooth rigid base lifts off somewhere. Here: a layer on
-`Sliding`, `Rigid` under `load: Line`. The integral for this stress, ∫ (sinh u + u cosh u)/(sinh 2u + 2u) cos(ux/h) du over u > 0, vanishes at x = 1.337922 h; how the printed
-value was found is not known to us. The contact that remains once the layer may lift off ends earlier, at 0.857 h.",
+action the stress across the middle plane is a tension. Here: a layer on
+`Sliding`, `Rigid` under `load: Line`. The integral for this stress, ∫ (sinh u + u cosh u)/(sinh 2u + 2u) cos(ux/h) du over u > 0, vanishes at x = 1.337922 h. If the layer may
+lift off, the contact ends earlier, at 0.857 h.",
         within: vec![("x/h", 1e-2)],
         numbers: vec![Number::new("tension begins", "x/h", "1.35", (compressed, error))],
     })

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo bench --bench work_precision                 prints tables
-//! cargo bench --bench work_precision -- --docs       also remakes docs/benchmark.md and docs/work_precision.svg
+//! cargo bench --bench work_precision -- --docs       also remakes docs/work_precision.svg and the last two tables, in docs/benchmark.md
 //! ```
 use std::fmt::Write as _;
 use std::path::Path;
@@ -35,13 +35,13 @@ fn main() {
     let remake = std::env::args().any(|argument| argument == "--docs");
     let cases = cases::all();
     let measured: Vec<(&Case, Vec<Curve>)> = cases.iter().map(|case| (case, curves(case))).collect();
-    let mut text = String::new();
+    let (mut points, mut text) = (String::new(), String::new());
     for (case, curves) in &measured {
-        table(&mut text, case, curves);
+        table(&mut points, case, curves);
     }
     comparison(&mut text, &measured);
     stages::table(&mut text);
-    println!("{text}");
+    println!("{points}{text}");
     if remake {
         let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
         let panels: Vec<(&str, &[Curve])> = measured.iter().map(|(case, curves)| (case.title, &curves[..])).collect();
