@@ -16,6 +16,9 @@ use crate::solution::{ClosedInterface, Interface, Ledger, OwnerKey, Solution};
 use crate::stack::{Gaps, Stack};
 use crate::weights::Weights;
 
+/// A force is next to nothing if it is this part of what weights press with on a length of the thickness: far below rounding.
+const NOTHING: f64 = 1e-24;
+
 /// A stack with its kernels: the flexibilities of its laminates over the wavenumber.
 ///
 /// Nothing in it depends on punch, load or contact length, so one model serves any number of them; see
@@ -109,6 +112,13 @@ impl Model {
         if let Some(material) = top.material() {
             self.stack.check_punch(&material)?;
         }
+        if force == Force::Given(0.0) {
+            let (load, small) = self.next_to_nothing(top).ok_or(ContactError::NoForce)?;
+            let mut solution = self.press_with(load, small, options)?;
+            solution.force = 0.0;
+            (solution.contacts[0].resultant, solution.contacts[0].central_pressure) = (0.0, 0.0);
+            return Ok(solution);
+        }
         let asked = self.asked(top, options);
         asked.is_solvable()?;
         if let Some((loads, axes)) = top.loads().and_then(|loads| Some((loads, loads.axes()?))) {
@@ -130,6 +140,14 @@ impl Model {
             None => press(options.tolerance, force),
         }?;
         self.with_closed(top, options, solution)
+    }
+
+    /// A load that is nothing to weights on all interfaces, with its force, where none is given; `None` if weights do not press all layers together, or under a punch.
+    fn next_to_nothing(&self, top: &Top) -> Option<(Load, f64)> {
+        let (_, weights) = self.closed.as_ref().filter(|_| top.loads().is_some() && self.stack.loose() == 0)?;
+        let pressure = weights.interfaces.iter().map(|(_, pressure)| *pressure).fold(f64::INFINITY, f64::min);
+        let thickness = self.stack.total_thickness();
+        Some((Load::uniform(thickness).ok()?, NOTHING * pressure * thickness))
     }
 
     /// Presses loads about axes of their own, each alone: where no contact is to be found, what they do is added up.
@@ -218,6 +236,12 @@ impl Model {
         let asked = self.asked(&top, &Options::default());
         let weights = self.closed.as_ref().filter(|_| self.check_closed(solution).is_err());
         let ledger = match weights {
+            Some((_, weights)) if solution.force() == 0.0 => {
+                let (load, small) = self.next_to_nothing(asked.top).ok_or(ContactError::NoForce)?;
+                let (top, solution) = (load.into(), Solution { force: small, ..solution.clone() });
+                let asked = Asked { top: &top, ..asked };
+                contact::ledger(&Self::with_weights(&asked, weights, &interfaces), &solution)
+            }
             Some((_, weights)) => contact::ledger(&Self::with_weights(&asked, weights, &interfaces), solution),
             None => contact::ledger(&asked, solution),
         };

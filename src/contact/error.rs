@@ -20,6 +20,9 @@ pub enum ContactError {
         /// The geometry.
         geometry: Geometry,
     },
+    /// No force, and no weights that press all layers together, or a punch.
+    #[error("the force is 0, which is for given loads on layers that weights, or a pressure on top, press together")]
+    NoForce,
     /// Loads about several axes on layers that come apart, where what each load does alone cannot be added up.
     #[error("loads at places (x, y) are added up, which does not hold where layers come apart, as at {interface}")]
     NotSuperposed {
@@ -79,6 +82,7 @@ impl ContactError {
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
             | Self::NotSuperposed { .. }
+            | Self::NoForce
             | Self::UnevenPunch
             | Self::PunchFalls { .. } => true,
             Self::Unresolved(_) => false,
@@ -101,6 +105,7 @@ impl ContactError {
                 }
                 .to_owned(),
             ),
+            Self::NoForce => Some("give a force > 0, or leave out the punch and give all layers a `specific_weight`".to_owned()),
             Self::NotSuperposed { .. } => Some("bond the layers, or let one load press about the axis: `load: ...`".to_owned()),
             Self::DentUnderPunch => Some("give the pressure of the punch as `load` or `loads`".to_owned()),
             Self::DepthWithOpenings => Some("give the force, or `half_length`, `left` or `right`".to_owned()),

@@ -98,7 +98,7 @@ impl Model {
     }
 
     fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
-        let (_, weights) = self.closed.as_ref()?;
+        let (_, weights) = self.closed.as_ref().filter(|_| solution.force() > 0.0)?;
         weights.separation(solution, top.loads().is_some() && !weights.has_dents(), |factor| {
             Some(self.scaled(top, solution, factor)?.1)
         })

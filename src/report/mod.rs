@@ -85,7 +85,9 @@ impl Report<'_> {
             let name = |k: usize| if is_one { name.clone() } else { format!("{name} {}", k + 1) };
             each.into_iter().enumerate().map(|(k, own)| (name(k), own)).collect::<Vec<_>>()
         };
-        let mut all: Vec<(String, Contact)> = self.solution.contacts().iter().flat_map(of).collect();
+        // without a load there is none
+        let pressed = self.solution.contacts().iter().filter(|contact| contact.resultant != 0.0);
+        let mut all: Vec<(String, Contact)> = pressed.flat_map(of).collect();
         if self.solution.axes().len() > 1 {
             all.iter_mut().enumerate().for_each(|(k, (name, _))| *name = format!("{name} {}", k + 1));
         }

@@ -24,7 +24,10 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     }
     let digits = Digits(*digits);
     let force = digits.with_error(solution.force(), solution.force_error());
-    writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?;
+    match solution.force() {
+        0.0 => writeln!(out, "no load")?,
+        _ => writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?,
+    }
 
     writeln!(out, "{}", contacts(report, [length, stress, line_load]))?;
     notes(report, [length, stress, line_load], out)?;

@@ -3,7 +3,7 @@ use std::fmt;
 
 use super::value::ValueError;
 use crate::geometry::Geometry;
-use recede_layers::{Finite, Positive};
+use recede_layers::{Finite, Positive, Pressing};
 
 /// The line load P that presses: force per unit length out of plane, or what it has to bring about.
 ///
@@ -17,7 +17,7 @@ use recede_layers::{Finite, Positive};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Force {
-    /// A force > 0; in a scene `force: ...`.
+    /// A force > 0, or 0 under given loads where nothing presses but weights; in a scene `force: ...`.
     Given(f64),
     /// The force that makes the contact under the punch so long: its half-length > 0, in length; in a scene
     /// `half_length: ...`.
@@ -95,6 +95,9 @@ impl Force {
         match (self, self.number()) {
             (Self::ForLeft(_) | Self::ForRight(_), Some(place)) => {
                 ValueError::checked(self.field(), place).map(|place: Finite| self.with(place.get()))
+            }
+            (Self::Given(_), Some(number)) => {
+                ValueError::checked(self.field(), number).map(|number: Pressing| self.with(number.get()))
             }
             (_, Some(number)) => {
                 ValueError::checked(self.field(), number).map(|number: Positive| self.with(number.get()))

@@ -100,7 +100,7 @@ pub struct Scene {
     /// The punch on top, or several, or the loads that are given in their place.
     pub top: Top,
     /// Line load P > 0 pressing the punch down, or the resultant of the loads: force per unit length out of plane, or the half-length that
-    /// it makes.
+    /// it makes; 0 if nothing presses but weights.
     pub force: Force,
     /// Pressure everywhere on the top face, also under a punch, in stress; 0 if there is none.
     pub pressure_on_top: f64,
@@ -130,6 +130,12 @@ impl Scene {
     /// The file from which the scene was read, as it is called in messages; `None` if it was not read from a text.
     pub fn file(&self) -> Option<&str> {
         self.origin.as_deref().map(|origin| &origin.file[..])
+    }
+
+    /// Whether weights, or a pressure on top, press layers together.
+    pub(crate) fn is_weighed(&self) -> bool {
+        let mut layers = self.stack.iter().filter_map(Item::elastic);
+        self.pressure_on_top > 0.0 || layers.any(|layer| layer.specific_weight() > 0.0)
     }
 
     /// The dimension of its forces: in plane problems they are per unit of length.

@@ -110,7 +110,6 @@ impl Scene {
         let Some(origin) = &mut scene.origin else { return Ok(scene) };
         set(&mut Arc::make_mut(origin).tree, changes);
         let origin = &Arc::clone(origin);
-        let (name, top) = only_top(origin)?;
         for (slot, _) in changes {
             match slot.owner {
                 Owner::Item(index) => {
@@ -119,7 +118,10 @@ impl Scene {
                     scene.stack[index] = read_item(node, number, self.geometry, origin)?;
                     continue;
                 }
-                Owner::Top => scene.top = read_top(name, top, self.geometry, origin)?,
+                Owner::Top => {
+                    let (name, top) = only_top(origin)?;
+                    scene.top = read_top(name, top, self.geometry, origin)?;
+                }
                 Owner::PressureOnTop => {
                     let draft: Draft = origin.read(&origin.tree, THE_SCENE)?;
                     scene.pressure_on_top = draft.pressure_on_top.map_or(0.0, Pressing::get);
@@ -128,6 +130,7 @@ impl Scene {
                 Owner::Force | Owner::Stack => {}
             }
             // punches and loads in a list have forces of their own
+            let (name, _) = only_top(origin)?;
             scene.force = force_of(&origin.read(&origin.tree, THE_SCENE)?, name, &scene.top, origin)?;
         }
         Ok(scene)

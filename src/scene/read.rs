@@ -17,7 +17,7 @@ use serde::de::{DeserializeOwned, IgnoredAny};
 use super::hints::instead_of;
 use super::item::{RECEDING, SPRING};
 use super::origin::{Origin, SceneError};
-use super::read_top::{only_top, read_top};
+use super::read_top::{only_top, read_top, tops};
 use super::round::RoundPunch;
 use super::units::without_units;
 use super::{Force, Item, Load, Loads, MAX_BYTES, MAX_ITEMS, Punch, Punches, Scene, Spring, Top, Units, quoted_list};
@@ -65,8 +65,9 @@ pub(super) struct Draft {
     /// In place of a punch: several given pressures, each anywhere on x with a force of its own; in axisymmetric scenes each about an axis of its own, `at: (x, y)`.
     #[schemars(with = "Option<Loads>")]
     loads: Option<IgnoredAny>,
-    /// Line load P that presses the punch down, or resultant of the `load`: force per unit length out of the plane; the whole force in axisymmetric scenes.
-    force: Option<Positive>,
+    /// Line load P that presses the punch down, or resultant of the `load`: force per unit length out of the plane; the whole force in axisymmetric scenes. 0, as without a punch or
+    /// load, if nothing presses but weights.
+    force: Option<Pressing>,
     /// In place of the force: half-length of the contact under the punch, or its radius, for which the force is found; in length.
     half_length: Option<Positive>,
     /// In place of the force: how far the punch sinks, for which the force is found; in length. In plane scenes the base has to be rigid, or springs.
@@ -217,9 +218,16 @@ fn is_json(origin: &Origin) -> Result<(), SceneError> {
 fn read_scene(own: Origin) -> Result<Scene, SceneError> {
     let (origin, tree) = (&own, &own.tree);
     let draft: Draft = origin.read(tree, THE_SCENE)?;
-    let (name, node) = only_top(origin)?;
-    let top = read_top(name, node, draft.geometry, origin)?;
-    let force = force_of(&draft, name, &top, origin)?;
+    let (top, force) = match tops(tree).next().is_none() && is_unloaded(&draft) {
+        // refused below unless weights press
+        true => (Load::Line.into(), Force::Given(0.0)),
+        false => {
+            let (name, node) = only_top(origin)?;
+            let top = read_top(name, node, draft.geometry, origin)?;
+            let force = force_of(&draft, name, &top, origin)?;
+            (top, force)
+        }
+    };
     let list = tree.field("stack").unwrap_or(tree);
     let items = origin.list(list, "the stack")?;
     if items.len() > MAX_ITEMS {
@@ -232,13 +240,32 @@ fn read_scene(own: Origin) -> Result<Scene, SceneError> {
     };
     let stack = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let Draft { name, description, units, geometry, pressure_on_top, .. } = draft;
-    let (pressure_on_top, origin) = (pressure_on_top.map_or(0.0, Pressing::get), Some(Arc::new(own)));
-    Ok(Scene { name, description, units, geometry, top, force, pressure_on_top, stack, origin })
+    let pressure_on_top = pressure_on_top.map_or(0.0, Pressing::get);
+    let scene = Scene { name, description, units, geometry, top, force, pressure_on_top, stack, origin: None };
+    if force == Force::Given(0.0) && (scene.top.punches().is_some() || !scene.is_weighed()) {
+        only_top(origin)?;
+        let found = tree.field("force").ok_or_else(|| missing_force(origin))?;
+        let error = origin.error_at(found, "`force` of the scene: found 0.0, allowed is a finite number > 0");
+        let hint = "without a force only weights press: leave out the punch, and give layers a `specific_weight`";
+        return Err(error.hinted(Some(hint)));
+    }
+    Ok(Scene { origin: Some(Arc::new(own)), ..scene })
+}
+
+/// Whether neither a force is given nor what it is found for.
+fn is_unloaded(draft: &Draft) -> bool {
+    draft.force.is_none_or(|force| force.get() == 0.0) && draft.half_length.is_none() && draft.depth.is_none()
+}
+
+fn missing_force(origin: &Origin) -> SceneError {
+    let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
+    origin.error_at(&origin.tree, "`force` is missing in the scene").hinted(Some(hint))
 }
 
 /// The force, or the half-length or depth that it is found for, beside what presses, which stands in this field.
 pub(super) fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
-    let numbers = [draft.force, draft.half_length, draft.depth].map(|number| number.map(Positive::get));
+    let numbers =
+        [draft.force.map(Pressing::get), draft.half_length.map(Positive::get), draft.depth.map(Positive::get)];
     let kinds = [Force::Given, Force::ForHalfLength, Force::ForDepth];
     let given: Vec<Force> = kinds.iter().zip(numbers).filter_map(|(kind, number)| number.map(kind)).collect();
     let own = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
@@ -246,10 +273,7 @@ pub(super) fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &O
         ([], "punches" | "loads") => {
             return Ok(top.punches().map_or_else(|| Force::Given(top.force()), Punches::pressed_by));
         }
-        ([], _) => {
-            let hint = "add `force: ...` or, for a punch, `half_length: ...` or `depth: ...` between its parentheses";
-            return Err(origin.error_at(&origin.tree, "`force` is missing in the scene").hinted(Some(hint)));
-        }
+        ([], _) => return Err(missing_force(origin)),
         ([found], "punch") | ([found @ Force::Given(_)], "load") => return Ok(*found),
         ([found, ..], "loads") | ([found @ Force::Given(_), ..], "punches") => (field, found, &own[..]),
         ([found, ..], "punches") => (

@@ -241,11 +241,8 @@ impl Sweep {
 
     /// Whether weights, or a pressure on top, press layers together in some row.
     pub(crate) fn has_weights(&self) -> bool {
-        let layers = self.scene.stack.iter().filter_map(Item::elastic);
         let is_varied = |axis: &Axis| axis.path().contains("specific_weight") || axis.path() == "pressure_on_top";
-        self.scene.pressure_on_top > 0.0
-            || layers.into_iter().any(|layer| layer.specific_weight() > 0.0)
-            || self.axes.iter().any(is_varied)
+        self.scene.is_weighed() || self.axes.iter().any(is_varied)
     }
 
     /// The same sweep with more axes, which change before those that it has.
