@@ -178,15 +178,19 @@ impl FromStr for Axis {
 
     /// Reads `PATH=START:STOP:COUNT`, `PATH=START:STOP:COUNT:log` or `PATH=[v, v, ...]`.
     fn from_str(text: &str) -> Result<Self, AxisError> {
+        Self::read(text, |_, number| number.parse().map_err(|_| format!("a number is expected, found `{number}`")))
+    }
+}
+
+impl Axis {
+    /// Reads an axis, the numbers of which are read by their path.
+    pub(crate) fn read(text: &str, number: impl Fn(&str, &str) -> Result<f64, String>) -> Result<Self, AxisError> {
         let failed = |reason: String| AxisError::new(text, reason);
         let Some((path, range)) = text.split_once('=') else {
             return Err(failed("PATH=START:STOP:COUNT or PATH=[v,v,...] is expected".into()));
         };
         let (path, range) = (path.trim(), range.trim());
-        let number = |text: &str| {
-            let found = text.trim().parse::<f64>();
-            found.map_err(|_| failed(format!("a number is expected, found `{}`", text.trim())))
-        };
+        let number = |text: &str| number(path, text.trim().trim_matches('"')).map_err(failed);
         let axis = if let Some(list) = range.strip_prefix('[') {
             let Some(list) = list.strip_suffix(']') else { return Err(failed("a closing `]` is missing".into())) };
             // a comma after the last is allowed, as in a scene

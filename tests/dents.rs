@@ -1,7 +1,7 @@
 //! Dents: gaps between layers that weights, or forces, press flat but for openings.
 //!
 //! Goal: numbers of another program; fields carry what the solution says; without weight a dent is any other gap; what cannot be is refused.
-use recede::{Model, Scene, Solution};
+use recede::{Force, Model, Scene, Solution};
 
 fn solved(text: &str) -> Result<(Model, Solution), recede::Error> {
     let scene = Scene::from_ron(text)?;
@@ -19,15 +19,16 @@ fn over_a_dent(weight: f64, top: &str) -> String {
     )
 }
 
-/// Under its weight alone, to which a force is next to nothing, the layer spans the middle of the dent, by an independent program.
+/// Under its weight alone the layer spans the middle of the dent, by an independent program.
 #[test]
 fn a_layer_spans_a_dent_as_in_another_program() {
-    let (_, solution) = solved(&over_a_dent(0.3, "load: Line, force: 1e-11")).unwrap();
+    let (_, solution) = solved(&over_a_dent(0.3, "force: 0")).unwrap();
+    assert_eq!(solution.force(), 0.0);
     let [opening] = solution.closed()[0].openings[..] else { panic!("{:?}", solution.closed()) };
     assert!((opening.right - 0.59801841470).abs() < 1e-10 && opening.left == -opening.right, "{opening:?}");
     assert!((opening.largest_gap - 0.09414354231).abs() < 1e-10 && opening.largest_gap_at == 0.0, "{opening:?}");
     // twice the weight closes it
-    let (_, solution) = solved(&over_a_dent(0.6, "load: Line, force: 1e-11")).unwrap();
+    let (_, solution) = solved(&over_a_dent(0.6, "load: Line, force: 0")).unwrap();
     assert!(solution.closed()[0].openings.is_empty());
 }
 
@@ -118,4 +119,39 @@ fn what_cannot_be_is_refused() {
         .replace("half_width", "radius");
     refused(&round, "is neither a parabola nor, in the plane, a dent");
     refused(&over_a_dent(0.3, "load: Line, force: 1.0").replace("depth: 1.0", "depth: -1.0"), "found -1.0, allowed is");
+}
+
+/// Without a load there is none in the report either; a force that is next to nothing changes nothing; and where nothing presses there is no problem.
+#[test]
+fn nothing_but_weights_may_press() {
+    let [alone, small] = ["force: 0", "load: Line, force: 1e-9"].map(|top| {
+        let scene = Scene::from_ron(&over_a_dent(0.3, top)).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        let [_, depth] = model.field(&solution).unwrap().window()[1];
+        assert!(depth == 1.0 && model.ledger(&scene.top, &solution).unwrap().rows.len() > 1);
+        (
+            scene.to_ron(),
+            model.separation(&scene.top, &solution).unwrap(),
+            model.field(&solution).unwrap().max_shear().unwrap().value,
+            solution,
+        )
+    });
+    assert!((alone.2 / small.2 - 1.0).abs() < 1e-6, "{} {}", alone.2, small.2);
+    assert!(
+        alone.1.is_none() && (alone.3.contacts()[0].resultant, alone.3.contacts()[0].central_pressure) == (0.0, 0.0)
+    );
+    let [one, other] = [&alone.3, &small.3].map(|solution| solution.closed()[0].openings[0].right);
+    assert!((one - other).abs() < 1e-7, "{one} {other}");
+    // it is written, and read again
+    assert_eq!(Scene::from_ron(&alone.0).unwrap().force, Force::Given(0.0));
+    let refused = |text: &str| Scene::from_ron(text).unwrap_err().to_string();
+    assert!(refused(&over_a_dent(0.0, "force: 0")).contains("`punch` is missing"));
+    assert!(refused(&over_a_dent(0.0, "load: Line, force: 0")).contains("allowed is a finite number > 0"));
+    assert!(
+        refused(&over_a_dent(0.3, "punch: Parabola(radius: 1), force: 0")).contains("allowed is a finite number > 0")
+    );
+    let loose = Scene::from_ron(&over_a_dent(0.0, "load: Line, force: 1")).unwrap();
+    let error = Model::new(loose.stack().unwrap()).unwrap().press(&loose.top, 0.0).unwrap_err();
+    assert!(error.to_string().starts_with("the force is 0"), "{error}");
 }

@@ -431,8 +431,8 @@ class Field:
         places (x, y).
         """
 
-    def grid(self, x: ArrayLike, depth: ArrayLike) -> Fields:
-        """The same on a grid: arrays with a row for each depth, faster than one by one."""
+    def grid(self, x: ArrayLike, depth: ArrayLike, layer: int | None = None) -> Fields:
+        """The same on a grid: arrays with a row for each depth, faster than one by one; on interfaces of this layer, if it is given."""
 
     def by_layer(self, x: ArrayLike, depth: ArrayLike) -> list[Fields]:
         """The same layer by layer, on grids that reach the faces of layers, since stresses along the layers jump there: a list."""

@@ -75,16 +75,21 @@ impl Field {
         Ok(Self { inner, solver: Arc::clone(&self.solver) })
     }
 
-    /// The same on a grid: arrays with a row for each depth, faster than one by one.
+    /// The same on a grid: arrays with a row for each depth, faster than one by one; on interfaces of this layer, if it is given.
+    #[pyo3(signature = (x, depth, layer=None))]
     fn grid<'py>(
         &self,
         py: Python<'py>,
         x: &Bound<'py, PyAny>,
         depth: &Bound<'py, PyAny>,
+        layer: Option<usize>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (xs, depths) = (list(x, "x")?, list(depth, "depth")?);
-        let grid =
-            py.detach(|| self.inner.grid(&xs, &depths)).map_err(|error| self.solver.failed(py, &error.into()))?;
+        let of = || match layer {
+            Some(layer) => self.inner.grid_of_layer(layer, &xs, &depths),
+            None => self.inner.grid(&xs, &depths),
+        };
+        let grid = py.detach(of).map_err(|error| self.solver.failed(py, &error.into()))?;
         self.arrays(py, &grid, depths.len())
     }
 

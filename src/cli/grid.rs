@@ -13,9 +13,9 @@ pub(super) struct GridArguments {
     /// Scene, or sweep, in RON; `-` reads standard input
     #[arg(value_name = "SCENE.ron")]
     pub(super) file: PathBuf,
-    /// What varies: PATH=START:STOP:COUNT, PATH=START:STOP:COUNT:log or PATH=[v,v,...]
+    /// What varies: PATH=START:STOP:COUNT, PATH=START:STOP:COUNT:log or PATH=[v,v,...]; numbers may have units, `depth=[20 nm, 30 nm]`
     #[arg(long, value_name = "PATH=VALUES")]
-    vary: Vec<Axis>,
+    vary: Vec<String>,
     /// Solve each row of this table rather than a grid: comma-separated values, with the paths of quantities as the first line
     #[arg(long, value_name = "FILE.csv", conflicts_with = "vary")]
     pub(super) rows: Option<PathBuf>,
@@ -50,7 +50,9 @@ impl GridArguments {
                     "name the scene itself, or write its values there",
                 ));
             }
-            Sweep::from_reader(name, &text[..], &registry)?.and_vary(self.vary.clone())?
+            let sweep = Sweep::from_reader(name, &text[..], &registry)?;
+            let axes = self.axes(sweep.scene())?;
+            sweep.and_vary(axes)?
         } else {
             let scene = Scene::from_reader(&name.display().to_string(), &text[..], &registry).map_err(Error::from)?;
             let scene = self.settings.made(scene)?;
@@ -63,7 +65,10 @@ impl GridArguments {
                         format!("what can vary in this scene: {paths}"),
                     ));
                 }
-                None => Sweep::new(scene, self.vary.clone())?,
+                None => {
+                    let axes = self.axes(&scene)?;
+                    Sweep::new(scene, axes)?
+                }
             }
         };
         let tolerance = self.tolerance.unwrap_or(sweep.options().tolerance);
@@ -73,6 +78,11 @@ impl GridArguments {
         let sweep = sweep.with_probes(probes);
         let sweep = if self.approach { sweep.with_approach() } else { sweep };
         Ok(if self.extremes { sweep.with_extremes() } else { sweep })
+    }
+
+    /// What varies.
+    fn axes(&self, scene: &Scene) -> Result<Vec<Axis>, Error> {
+        self.vary.iter().map(|text| scene.axis(text)).collect()
     }
 
     /// The files that are read: the one that was named, and the scene of a sweep in a file of its own.

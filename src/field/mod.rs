@@ -251,8 +251,20 @@ impl Field {
     /// # Errors
     /// As [`Self::at`].
     pub fn grid(&self, xs: &[f64], depths: &[f64]) -> Result<Grid, FieldError> {
-        let point =
-            |depth: &f64| self.row(&Point { x: xs.first().copied().unwrap_or(0.0), depth: *depth, layer: None }, 0);
+        self.grid_in(None, xs, depths)
+    }
+
+    /// The same in a layer, numbered from the top as written in the scene, starting at 1, on both of its faces, too.
+    ///
+    /// # Errors
+    /// As [`Self::at_layer`].
+    pub fn grid_of_layer(&self, layer: usize, xs: &[f64], depths: &[f64]) -> Result<Grid, FieldError> {
+        self.grid_in(Some(layer), xs, depths)
+    }
+
+    fn grid_in(&self, layer: Option<usize>, xs: &[f64], depths: &[f64]) -> Result<Grid, FieldError> {
+        let x = xs.first().copied().unwrap_or(0.0);
+        let point = |depth: &f64| self.row(&Point { x, depth: *depth, layer }, 0);
         let rows: Vec<DepthRow> = depths.iter().map(point).collect::<Result<_, _>>()?;
         Ok(Grid { xs: xs.to_vec(), points: self.lines(xs, &rows, &FULL)?.concat() })
     }

@@ -102,6 +102,23 @@ pub struct SweepPoint {
     pub warned: bool,
 }
 
+impl Scene {
+    /// An axis as on a command line, `PATH=START:STOP:COUNT`, `PATH=START:STOP:COUNT:log` or `PATH=[v, v, ...]`, with numbers that may have units.
+    ///
+    /// ```
+    /// let scene = recede::Scene::read("examples/gallery/slab_on_soil.ron")?;
+    /// assert_eq!(scene.axis("layer[1].young=[20 GPa, 30 GPa]")?, "layer[1].young=[20e6, 30e6]".parse()?);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`AxisError`](crate::AxisError) if the text is none, or a number has another unit.
+    pub fn axis(&self, text: &str) -> Result<Axis, Error> {
+        let number = |path: &str, number: &str| self.written_number(path, number).map_err(|error| error.to_string());
+        Ok(Axis::read(text, number)?)
+    }
+}
+
 impl Sweep {
     /// A sweep of a scene read from a text, to ten digits.
     ///
