@@ -80,7 +80,7 @@ pub use orthotropic::{EngineeringConstants, Orthotropic, OrthotropicHalfPlane, P
 pub use power_half_plane::PowerHalfPlane;
 pub use profile::{Profile, Table};
 pub use quantity::{
-    Carrying, Exponent, Finite, HalfAngle, OutOfRange, Poisson, Positive, Pressing, Stiffening, Thickness,
+    Carrying, Compressive, Exponent, Finite, HalfAngle, OutOfRange, Poisson, Positive, Pressing, Stiffening, Thickness,
 };
 #[cfg(feature = "read")]
 pub use registry::{Body, Entry, ReadBody, Registry};

@@ -111,6 +111,9 @@ quantity!(
     /// A pressure, or a weight per volume, that does not pull.
     Pressing, "a finite number >= 0", {"minimum": 0}, |x| x >= 0.0 && x.is_finite());
 quantity!(
+    /// A force that presses; 0 is none, which only weights allow.
+    Compressive, "a finite number > 0", {"minimum": 0}, |x| x >= 0.0 && x.is_finite());
+quantity!(
     /// Poisson's ratio of an isotropic material.
     Poisson, "-1 < poisson <= 0.5", {"exclusiveMinimum": -1, "maximum": 0.5}, |x| x > -1.0 && x <= 0.5);
 quantity!(

@@ -124,7 +124,7 @@ fn what_cannot_be_is_refused() {
 /// Without a load there is none in the report either; a force that is next to nothing changes nothing; and where nothing presses there is no problem.
 #[test]
 fn nothing_but_weights_may_press() {
-    let [alone, small] = ["force: 0", "load: Line, force: 1e-9"].map(|top| {
+    let [alone, small] = ["force: 0", "load: Uniform(half_width: 1), force: 1e-9"].map(|top| {
         let scene = Scene::from_ron(&over_a_dent(0.3, top)).unwrap();
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let solution = model.press(&scene.top, scene.force).unwrap();

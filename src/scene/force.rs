@@ -3,7 +3,7 @@ use std::fmt;
 
 use super::value::ValueError;
 use crate::geometry::Geometry;
-use recede_layers::{Finite, Positive, Pressing};
+use recede_layers::{Compressive, Finite, Positive};
 
 /// The line load P that presses: force per unit length out of plane, or what it has to bring about.
 ///
@@ -97,7 +97,7 @@ impl Force {
                 ValueError::checked(self.field(), place).map(|place: Finite| self.with(place.get()))
             }
             (Self::Given(_), Some(number)) => {
-                ValueError::checked(self.field(), number).map(|number: Pressing| self.with(number.get()))
+                ValueError::checked(self.field(), number).map(|number: Compressive| self.with(number.get()))
             }
             (_, Some(number)) => {
                 ValueError::checked(self.field(), number).map(|number: Positive| self.with(number.get()))

@@ -9,7 +9,7 @@ use recede_layers::tree::{Kind, Node};
 
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
-use super::read::{Draft, PRESSURE_ON_TOP, THE_SCENE, force_of, read_item};
+use super::read::{Draft, PRESSURE_ON_TOP, THE_SCENE, check_force, force_of, read_item};
 use super::read_top::{only_top, read_top, tops};
 use super::{Scene, quoted_list};
 
@@ -133,6 +133,7 @@ impl Scene {
             let (name, _) = only_top(origin)?;
             scene.force = force_of(&origin.read(&origin.tree, THE_SCENE)?, name, &scene.top, origin)?;
         }
+        check_force(&scene, origin)?;
         Ok(scene)
     }
 

@@ -9,7 +9,7 @@ use std::{fs::File, path::Path};
 
 use recede_layers::description::Value;
 use recede_layers::tree::{Fault, Form, Kind, Node, token};
-use recede_layers::{Finite, Loaded, Positive, Pressing, Registry, described};
+use recede_layers::{Compressive, Finite, Loaded, Positive, Pressing, Registry, described};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
@@ -67,7 +67,7 @@ pub(super) struct Draft {
     loads: Option<IgnoredAny>,
     /// Line load P that presses the punch down, or resultant of the `load`: force per unit length out of the plane; the whole force in axisymmetric scenes. 0, as without a punch or
     /// load, if nothing presses but weights.
-    force: Option<Pressing>,
+    force: Option<Compressive>,
     /// In place of the force: half-length of the contact under the punch, or its radius, for which the force is found; in length.
     half_length: Option<Positive>,
     /// In place of the force: how far the punch sinks, for which the force is found; in length. In plane scenes the base has to be rigid, or springs.
@@ -242,14 +242,20 @@ fn read_scene(own: Origin) -> Result<Scene, SceneError> {
     let Draft { name, description, units, geometry, pressure_on_top, .. } = draft;
     let pressure_on_top = pressure_on_top.map_or(0.0, Pressing::get);
     let scene = Scene { name, description, units, geometry, top, force, pressure_on_top, stack, origin: None };
-    if force == Force::Given(0.0) && (scene.top.punches().is_some() || !scene.is_weighed()) {
-        only_top(origin)?;
-        let found = tree.field("force").ok_or_else(|| missing_force(origin))?;
-        let error = origin.error_at(found, "`force` of the scene: found 0.0, allowed is a finite number > 0");
-        let hint = "without a force only weights press: leave out the punch, and give layers a `specific_weight`";
-        return Err(error.hinted(Some(hint)));
-    }
+    check_force(&scene, origin)?;
     Ok(Scene { origin: Some(Arc::new(own)), ..scene })
+}
+
+/// Refuses a force that is 0 unless weights press, and no punch.
+pub(super) fn check_force(scene: &Scene, origin: &Origin) -> Result<(), SceneError> {
+    if scene.force != Force::Given(0.0) || scene.top.loads().is_some() && scene.is_weighed() {
+        return Ok(());
+    }
+    only_top(origin)?;
+    let found = origin.tree.field("force").ok_or_else(|| missing_force(origin))?;
+    let error = origin.error_at(found, "`force` of the scene: found 0.0, allowed is a finite number > 0");
+    let hint = "without a force only weights press: leave out the punch, and give layers a `specific_weight`";
+    Err(error.hinted(Some(hint)))
 }
 
 /// Whether neither a force is given nor what it is found for.
@@ -265,7 +271,7 @@ fn missing_force(origin: &Origin) -> SceneError {
 /// The force, or the half-length or depth that it is found for, beside what presses, which stands in this field.
 pub(super) fn force_of(draft: &Draft, field: &'static str, top: &Top, origin: &Origin) -> Result<Force, SceneError> {
     let numbers =
-        [draft.force.map(Pressing::get), draft.half_length.map(Positive::get), draft.depth.map(Positive::get)];
+        [draft.force.map(Compressive::get), draft.half_length.map(Positive::get), draft.depth.map(Positive::get)];
     let kinds = [Force::Given, Force::ForHalfLength, Force::ForDepth];
     let given: Vec<Force> = kinds.iter().zip(numbers).filter_map(|(kind, number)| number.map(kind)).collect();
     let own = format!("each of the {field} has a force of its own, and the force is their sum: remove it");
