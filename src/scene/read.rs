@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::{fs::File, path::Path};
 
 use recede_layers::description::Value;
-use recede_layers::tree::{Fault, Form, Kind, Node, token};
+use recede_layers::tree::{Fault, Form, Kind, Node, ReadError, token};
 use recede_layers::{Compressive, Finite, Loaded, Positive, Pressing, Registry, described};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -253,9 +253,8 @@ pub(super) fn check_force(scene: &Scene, origin: &Origin) -> Result<(), SceneErr
     }
     only_top(origin)?;
     let found = origin.tree.field("force").ok_or_else(|| missing_force(origin))?;
-    let error = origin.error_at(found, "`force` of the scene: found 0.0, allowed is a finite number > 0");
-    let hint = "without a force only weights press: leave out the punch, and give layers a `specific_weight`";
-    Err(error.hinted(Some(hint)))
+    let Err(error) = found.read::<Positive>() else { return Ok(()) };
+    Err(origin.explained(&origin.tree, THE_SCENE, None, ReadError { field: Some("force".to_owned()), ..error }))
 }
 
 /// Whether neither a force is given nor what it is found for.
