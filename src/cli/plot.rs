@@ -1,10 +1,13 @@
 //! `recede plot`: the stack, its contacts and their pressures as a picture.
 use std::path::PathBuf;
 
-use recede::Scene;
 use recede::plot::{self, Kind, Picture};
+use recede::{Scene, profile_places};
 
 use super::{Failure, SceneFile, solved};
+
+/// Places along a face that is displaced, about.
+const PLACES: usize = 300;
 
 /// A line above a picture
 #[derive(Debug, clap::Args)]
@@ -32,6 +35,8 @@ Examples:
   recede plot scene.ron --out scene.svg
   recede plot scene.ron --out scene.pdf
   recede plot scene.ron --out scene.png --title='A strip on rock'
+  recede plot scene.ron --deformed --out lifted.svg
+  recede plot scene.ron --deformed 50 --out lifted.svg
 
 Exit status: 0 drawn, 1 no admissible solution, 2 bad input.")]
 pub struct PlotArguments {
@@ -40,6 +45,10 @@ pub struct PlotArguments {
     /// The picture; its ending, .svg, .pdf or .png, says of which kind it is
     #[arg(long, value_name = "FILE.svg|pdf|png")]
     out: PathBuf,
+    /// Draw displacements across the layers, gaps and punches SCALE times larger than lengths along the layers, without SCALE so that they are seen. They are
+    /// counted from the rigid base, or from both ends of what is drawn of a half-plane's top face
+    #[arg(long, value_name = "SCALE", num_args = 0..=1, value_parser = scale)]
+    deformed: Option<Option<f64>>,
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
@@ -47,12 +56,25 @@ pub struct PlotArguments {
     title: Title,
 }
 
+/// How many times larger displacements are drawn.
+fn scale(text: &str) -> Result<f64, String> {
+    let legal = text.parse().ok().filter(|times: &f64| times.is_finite() && *times > 0.0);
+    legal.ok_or_else(|| format!("found `{text}`, allowed is a number > 0, or none behind the scene"))
+}
+
 impl PlotArguments {
     pub fn run(&self) -> Result<(), Failure> {
         Kind::of(&self.out)?;
         let scene = self.file.read_for(&[&self.out])?;
         let (model, solution) = solved(&scene, self.tolerance)?;
-        let picture = plot::stack(&scene, model.stack(), &solution);
+        let picture = match self.deformed {
+            None => plot::stack(&scene, model.stack(), &solution),
+            Some(times) => {
+                let places = profile_places(&solution, None, PLACES);
+                let profile = model.profile(&scene.top, &solution, &places)?;
+                plot::deformed(&scene, model.stack(), &solution, &profile, times)?
+            }
+        };
         Ok(plot::save(&self.out, &self.title.above(picture, &scene))?)
     }
 }

@@ -248,7 +248,7 @@ impl Map<'_> {
             if depth < first || depth > last * (1.0 + SAME) {
                 continue;
             }
-            labels.extend(self.section.interface(picture, found, height(depth), touching));
+            labels.extend(self.section.interface(picture, found, &section::level(height(depth)), touching));
         }
         section::labels(picture, labels, Anchor::Left, [top, bottom], "labels")
     }
