@@ -49,11 +49,13 @@ mod ledger;
 mod list;
 mod loads;
 mod many_loads;
+mod maps;
 mod merge;
 mod moved_loads;
 mod neighbours;
 #[cfg(unix)]
 mod outputs;
+mod pages;
 mod paper;
 mod parquet;
 mod parts;

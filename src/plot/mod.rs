@@ -39,11 +39,13 @@ pub mod style;
 mod svg;
 mod sweep;
 
+pub use bands::MapStyle;
 pub use chart::{Chart, Curve, Frame, Labels};
 pub use file::{Kind, PlotError, save};
 pub use letters::width;
-pub use map::map;
+pub use map::{map, map_with};
 pub use picture::{Anchor, Colour, Picture, Stroke, italic, subscript};
 pub use scale::{Scale, Tick, label, ten_to};
 pub use stack::{deformed, stack};
+pub use style::Colours;
 pub use sweep::{DrawnColumns, is_drawn, sweep};

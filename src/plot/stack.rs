@@ -1,4 +1,6 @@
 //! A stack drawn with its punch and contacts, and the pressures below it.
+use recede_layers::Plane;
+
 use super::chart::{APART, Chart, Curve, Frame, Labels, hidden};
 use super::depths::DrawnDepths;
 use super::displaced::Displaced;
@@ -197,6 +199,18 @@ impl<'a> Drawing<'a> {
         placed.layer.material(depth, self.section.scene.geometry.plane()).shear_compliance.recip()
     }
 
+    /// Young's modulus where [`Self::moduli`] are, of an isotropic layer of which the scene gives it.
+    fn young(&self, placed: &Placed) -> Option<[f64; 3]> {
+        let is_given = placed.layer.notation().parameters.contains("young: ");
+        let deep = placed.layer.thickness().unwrap_or(BASE / self.section.scale);
+        let at = |part: f64| {
+            let material = placed.layer.material(part * deep, Plane::Strain);
+            let [poisson, _] = material.out_of_plane.filter(|_| is_given && material.is_isotropic())?;
+            Some(2.0 * (1.0 + poisson) / material.shear_compliance)
+        };
+        Some([at(0.0)?, at(0.5)?, at(1.0)?])
+    }
+
     /// The layers from the top down, light where they are soft and darker where they are stiff by orders of magnitude, with what they are
     /// called at their right.
     fn layers(&self, picture: &mut Picture) {
@@ -287,7 +301,10 @@ impl<'a> Drawing<'a> {
     fn name(&self, placed: &Placed) -> String {
         let [stress, length] =
             [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.section.scene, dimension));
-        let [modulus, _, below] = self.moduli(placed).map(short);
+        let young = self.young(placed);
+        let moduli = self.moduli(placed);
+        let [modulus, _, below] = [0, 1, 2].map(|k| short(young.map_or(moduli[k], |young| young[k])));
+        let symbol = italic(if young.is_some() { "E" } else { "μ" });
         let number = index(placed.number);
         let thick = placed.layer.thickness();
         let (until, at) = match thick {
@@ -296,7 +313,7 @@ impl<'a> Drawing<'a> {
             None => (String::new(), " at its top"),
         };
         let thick = thick.map_or(String::new(), |h| format!("{}{number} = {}{length}, ", italic("h"), short(h)));
-        format!("{thick}{}{number} = {modulus}{until}{stress}{at}", italic("μ"))
+        format!("{thick}{symbol}{number} = {modulus}{until}{stress}{at}")
     }
 
     /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.
