@@ -38,7 +38,7 @@ const MAY_IMPORT: [(&str, &[&str]); 23] = [
         &["approach", "collocation", "contact", "errors", "field", "kernel", "profile", "scene", "stack", "weights"],
     ),
     ("sweep", &["approach", "axis", "errors", "field", "model", "scene", "stack"]),
-    ("plot", &["axis", "field", "files", "scene", "stack", "sweep"]),
+    ("plot", &["axis", "field", "files", "profile", "scene", "stack", "sweep"]),
     ("report", &["approach", "collocation", "errors", "field", "profile", "scene", "sweep"]),
     (
         "selftest",

@@ -184,7 +184,7 @@ fn a_map_names_what_it_shows() {
         "a = 0.7373",
         "b = 2.449",
         "layer 3",
-        "ring: largest in the stack, 6.875·10⁻⁴ at x = 0, depth 1 in layer 1",
+        "cross: largest in the stack, 6.875·10⁻⁴ at x = 0, depth 1 in layer 1",
     ] {
         assert!(shown.contains(text), "{text}: {shown}");
     }
@@ -194,7 +194,7 @@ fn a_map_names_what_it_shows() {
         "depth, mm",
         "a = 2.765 mm",
         "depths drawn × ",
-        "ring: largest on the grid of this map",
+        "cross: largest on the grid of this map",
     ] {
         assert!(shown.contains(text), "{text}: {shown}");
     }
@@ -225,7 +225,7 @@ fn a_map_is_dark_where_the_stress_is_large() {
     let svg = String::from_utf8(map("examples/scenes/hertz.ron", "map.svg", &grid)).unwrap();
     let pixmap = Pixmap::decode_png(&map("examples/scenes/hertz.ron", "map.png", &grid)).unwrap();
     // where the numbers at the axes stand, in points of three pixels
-    let [(left, _), (right, _), (_, top), (_, bottom)] = ["−1.00", "1.00", "0", "1"].map(|label| place(&svg, label));
+    let [(left, _), (right, _), (_, top), (_, bottom)] = ["−1.00", "1.00", "0.0", "1.0"].map(|at| place(&svg, at));
     let light = |x: f64, depth: f64| {
         let at = (0.5 * (left + right) + 0.5 * (right - left) * x, top + (bottom - top) * depth);
         let pixel = pixmap.pixel((3.0 * at.0) as u32, (3.0 * at.1) as u32).unwrap();

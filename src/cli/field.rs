@@ -3,11 +3,11 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
-use recede::plot;
+use recede::plot::{self, Colours, MapStyle};
 use recede::report::{Format, write_field};
-use recede::{Coordinates, Field, FieldQuantity, SpacePoint};
+use recede::{Coordinates, FieldQuantity, SpacePoint};
 
-use super::plot::Title;
+use super::plot::Page;
 use super::{Failure, SceneFile, outputs, solved, warn};
 
 /// Places along the layers and depths of a grid that is not specified.
@@ -26,6 +26,8 @@ Examples:
   recede field scene.ron --x -3:3:400 --depth 0:2:200 --out field.csv
   recede field scene.ron --out shear.svg
   recede field scene.ron --quantity sigma_xx --out along.png
+  recede field scene.ron --out shear.svg --range 0:200 --colours viridis
+  recede field scene.ron --out shear.svg --window -1:1,0:0.5 --levels 20
 
 On an interface a point belongs to the layer below, unless @LAYER says which.
 
@@ -40,13 +42,17 @@ pub struct FieldArguments {
     /// The vertical plane of a grid or a map under loads at places (x, y)
     #[arg(long, default_value = "0", conflicts_with = "at", allow_hyphen_values = true)]
     y: f64,
-    /// Places of a grid along x, or r; without it, two half-lengths (radii) of the longest contact to either side
+    /// Places of a grid along x, or r; without it, two half-lengths (radii) of the longest contact to either side, in a map as far as the
+    /// quantity is appreciable
     #[arg(long, value_name = "START:STOP:COUNT", value_parser = steps, conflicts_with = "at", allow_hyphen_values = true)]
     x: Option<Steps>,
     /// Depths of a grid; without it, all layers and one and a half half-lengths (radii) of the longest contact in a half-plane,
     /// at most three in all
     #[arg(long, value_name = "START:STOP:COUNT", value_parser = steps, conflicts_with = "at", allow_hyphen_values = true)]
     depth: Option<Steps>,
+    /// From where to where grids and maps go along x, or r, and in depth
+    #[arg(long, value_name = "LEFT:RIGHT,TOP:BOTTOM", value_parser = window, conflicts_with_all = ["at", "x", "depth"], allow_hyphen_values = true)]
+    window: Option<[[f64; 2]; 2]>,
     /// File to write: numbers (.csv, .json) or a map (.svg, .pdf, .png); without it, a short table on standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -61,7 +67,37 @@ pub struct FieldArguments {
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
     #[command(flatten)]
-    title: Title,
+    page: Page,
+    #[command(flatten)]
+    style: Style,
+}
+
+/// Colours of a map
+#[derive(Debug, clap::Args)]
+struct Style {
+    /// Values at which the colours of a map begin and end
+    #[arg(long, value_name = "LOW:HIGH", value_parser = range, conflicts_with = "at", allow_hyphen_values = true)]
+    range: Option<[f64; 2]>,
+    /// Logarithmic colours of a map, over three decades unless --range says which
+    #[arg(long, conflicts_with = "at")]
+    log: bool,
+    /// How many colours a map has, from 2 to 256
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=256), conflicts_with = "at")]
+    levels: Option<u16>,
+    /// Which colours: the last two tell the sign
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(Colours::NAMED.map(|(name, _)| name)), conflicts_with = "at")]
+    colours: Option<String>,
+}
+
+impl Style {
+    fn of_map(&self) -> MapStyle {
+        MapStyle {
+            range: self.range,
+            is_logarithmic: self.log,
+            levels: self.levels.map(usize::from),
+            colours: self.colours.as_deref().and_then(Colours::named),
+        }
+    }
 }
 
 /// Equally spaced numbers, one value of an option.
@@ -83,6 +119,23 @@ fn steps(text: &str) -> Result<Steps, String> {
     legal.then(|| spaced(start, stop, count)).ok_or_else(refused)
 }
 
+/// LOW:HIGH.
+fn range(text: &str) -> Result<[f64; 2], String> {
+    let wrong =
+        || format!("found `{text}`, expected LOW:HIGH as in 0:2.5, finite numbers of which the second is larger");
+    let (low, high) = text.split_once(':').ok_or_else(wrong)?;
+    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    let ends = number(low).zip(number(high)).filter(|(low, high)| low < high);
+    ends.map(|(low, high)| [low, high]).ok_or_else(wrong)
+}
+
+/// LEFT:RIGHT,TOP:BOTTOM.
+fn window(text: &str) -> Result<[[f64; 2]; 2], String> {
+    let wrong = || format!("found `{text}`, expected LEFT:RIGHT,TOP:BOTTOM as in -1:1,0:0.5");
+    let (along, depths) = text.split_once(',').ok_or_else(wrong)?;
+    Ok([range(along)?, range(depths)?])
+}
+
 impl FieldArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let format = self.format()?;
@@ -92,6 +145,12 @@ impl FieldArguments {
                 "leave out --at, or let the file end in .csv or .json",
             ));
         }
+        if format.is_some() && self.style.of_map() != MapStyle::default() {
+            return Err(Failure::usage(
+                "colours are of a map, not of numbers",
+                "let the file end in .svg, .pdf or .png, or leave out --range, --log, --levels and --colours",
+            ));
+        }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
         let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
@@ -99,13 +158,16 @@ impl FieldArguments {
         let Some(format) = format else {
             // without a file there is no map
             let Some(path) = &self.out else { return Ok(()) };
-            let [xs, depths] = self.grid(&field, MAP);
-            let grids = field.by_layer(&xs, &depths)?;
-            let picture = plot::map(&scene, &solution, &field, &grids, self.quantity(scene.coordinates())?)?;
-            return Ok(plot::save(path, &self.title.above(picture, &scene))?);
+            let quantity = self.quantity(scene.coordinates())?;
+            let window = self.window.map_or_else(|| field.window_of(quantity), Ok)?;
+            let [xs, depths] = self.grid(window, MAP);
+            let (grids, style) = (field.by_layer(&xs, &depths)?, self.style.of_map());
+            let picture = plot::map_with(&scene, &solution, &field, &grids, quantity, &style)?;
+            return self.page.save(picture, &scene, path);
         };
         let points = if self.at.is_empty() {
-            let [xs, depths] = self.grid(&field, if format == Format::Table { TABLE } else { LIST });
+            let window = self.window.unwrap_or_else(|| field.window());
+            let [xs, depths] = self.grid(window, if format == Format::Table { TABLE } else { LIST });
             field.grid(&xs, &depths)?.points().to_vec()
         } else {
             field.points_in_space(&self.at)?
@@ -136,8 +198,7 @@ impl FieldArguments {
     }
 
     /// Places along x and depths; the default number of each unless it is given.
-    fn grid(&self, field: &Field, [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
-        let [[from, to], [top, bottom]] = field.window();
+    fn grid(&self, [[from, to], [top, bottom]]: [[f64; 2]; 2], [columns, rows]: [usize; 2]) -> [Vec<f64>; 2] {
         let xs = self.x.clone().unwrap_or_else(|| spaced(from, to, columns));
         [xs, self.depth.clone().unwrap_or_else(|| spaced(top, bottom, rows))]
     }

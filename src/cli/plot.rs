@@ -1,28 +1,54 @@
 //! `recede plot`: the stack, its contacts and their pressures as a picture.
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use recede::Scene;
 use recede::plot::{self, Kind, Picture};
+use recede::{Scene, profile_places};
 
 use super::{Failure, SceneFile, solved};
 
-/// A line above a picture
+/// Places along a face that is displaced, about.
+const PLACES: usize = 300;
+
+/// The page of a picture
 #[derive(Debug, clap::Args)]
-pub struct Title {
+pub struct Page {
     /// Write a title above the picture: TEXT, or without it the name of the scene
     #[arg(long, value_name = "TEXT", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     title: Option<String>,
+    /// Size of the page of a picture in points, which the picture fills unless there is a --font-size
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
+    size: Option<(f64, f64)>,
+    /// Size of the letters of a picture in points, 10 by default: all of it is enlarged
+    #[arg(long, value_name = "N", value_parser = font_size)]
+    font_size: Option<f64>,
 }
 
-impl Title {
-    /// The picture with the title, if there is to be one.
-    pub fn above(&self, picture: Picture, scene: &Scene) -> Picture {
-        match self.title.as_deref() {
+impl Page {
+    /// Writes the picture on the page.
+    pub fn save(&self, picture: Picture, scene: &Scene, file: &Path) -> Result<(), Failure> {
+        let titled = match self.title.as_deref() {
             None => picture,
             Some("") => picture.titled(scene.title()),
             Some(title) => picture.titled(title),
-        }
+        };
+        Ok(plot::save(file, &titled.sized(self.size, self.font_size)?)?)
     }
+}
+
+/// A number between two, both included.
+fn between(text: &str, [least, most]: [f64; 2]) -> Option<f64> {
+    text.trim().parse().ok().filter(|number| (least..=most).contains(number))
+}
+
+/// WIDTHxHEIGHT.
+fn size(text: &str) -> Result<(f64, f64), String> {
+    let side = |text: &str| between(text, [50.0, 5000.0]);
+    let sides = text.split_once('x').and_then(|(width, height)| side(width).zip(side(height)));
+    sides.ok_or_else(|| format!("found `{text}`, expected WIDTHxHEIGHT as in 400x300, each from 50 to 5000"))
+}
+
+fn font_size(text: &str) -> Result<f64, String> {
+    between(text, [1.0, 100.0]).ok_or_else(|| format!("found `{text}`, allowed is a number from 1 to 100"))
 }
 
 /// Draw a scene to scale with its contacts, and the pressures below it
@@ -32,6 +58,9 @@ Examples:
   recede plot scene.ron --out scene.svg
   recede plot scene.ron --out scene.pdf
   recede plot scene.ron --out scene.png --title='A strip on rock'
+  recede plot scene.ron --deformed --out lifted.svg
+  recede plot scene.ron --deformed 50 --out lifted.svg
+  recede plot scene.ron --size 400x300 --out scene.png
 
 Exit status: 0 drawn, 1 no admissible solution, 2 bad input.")]
 pub struct PlotArguments {
@@ -40,11 +69,21 @@ pub struct PlotArguments {
     /// The picture; its ending, .svg, .pdf or .png, says of which kind it is
     #[arg(long, value_name = "FILE.svg|pdf|png")]
     out: PathBuf,
+    /// Draw displacements across the layers, gaps and punches SCALE times larger than lengths along the layers, without SCALE so that they are seen. They are
+    /// counted from the rigid base, or from both ends of what is drawn of a half-plane's top face
+    #[arg(long, value_name = "SCALE", num_args = 0..=1, value_parser = scale)]
+    deformed: Option<Option<f64>>,
     /// Relative error to aim at, from 1e-13 to 1e-2
     #[arg(long, default_value = "1e-10")]
     tolerance: f64,
     #[command(flatten)]
-    title: Title,
+    page: Page,
+}
+
+/// How many times larger displacements are drawn.
+fn scale(text: &str) -> Result<f64, String> {
+    let legal = text.parse().ok().filter(|times: &f64| times.is_finite() && *times > 0.0);
+    legal.ok_or_else(|| format!("found `{text}`, allowed is a number > 0, or none behind the scene"))
 }
 
 impl PlotArguments {
@@ -52,7 +91,14 @@ impl PlotArguments {
         Kind::of(&self.out)?;
         let scene = self.file.read_for(&[&self.out])?;
         let (model, solution) = solved(&scene, self.tolerance)?;
-        let picture = plot::stack(&scene, model.stack(), &solution);
-        Ok(plot::save(&self.out, &self.title.above(picture, &scene))?)
+        let picture = match self.deformed {
+            None => plot::stack(&scene, model.stack(), &solution),
+            Some(times) => {
+                let places = profile_places(&solution, None, PLACES);
+                let profile = model.profile(&scene.top, &solution, &places)?;
+                plot::deformed(&scene, model.stack(), &solution, &profile, times)?
+            }
+        };
+        self.page.save(picture, &scene, &self.out)
     }
 }

@@ -11,7 +11,7 @@ use recede::report::SweepCsv;
 use recede::{Part, Sweep};
 
 use super::grid::GridArguments;
-use super::plot::Title;
+use super::plot::Page;
 use super::progress::Progress;
 use super::rows_file;
 use super::{Failure, outputs, tell};
@@ -59,7 +59,7 @@ pub struct SweepArguments {
     #[arg(long, value_name = "NAME", requires = "y")]
     x: Option<String>,
     #[command(flatten)]
-    title: Title,
+    page: Page,
     /// Threads that compute [default: one for each processor]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
@@ -114,7 +114,7 @@ impl SweepArguments {
         }
         if let Some(file) = &self.plot {
             let picture = plot::sweep(&sweep, &rows, &columns)?;
-            plot::save(file, &self.title.above(picture, sweep.scene()))?;
+            self.page.save(picture, sweep.scene(), file)?;
         }
         Ok(())
     }

@@ -3,10 +3,11 @@ use super::chart::upright_axis;
 use super::contour::rings;
 use super::picture::{Anchor, Colour, Picture};
 use super::scale::Scale;
-use super::style::{INK, NEUTRAL, hair, heat, signed};
+use super::style::{Colours, INK, NEUTRAL, hair};
 
-/// Fewest bands of colour.
+/// Fewest bands of colour, and how many there are where ratios are equal.
 const BANDS: usize = 10;
+const RATIOS: usize = 12;
 /// Width of the scale of colours, in points.
 pub(super) const BAR: f64 = 12.0;
 /// Values below this part of the largest are zero, however small their error is.
@@ -15,9 +16,29 @@ const ZERO: f64 = 1e-9;
 /// lies: the line may pass through places where the value is 0.
 const BESIDE: usize = 1;
 
+/// How a map is coloured. By default colours go from light to dark where values have one sign, and are symmetric about zero where they have two.
+///
+/// ```
+/// use recede::plot::{Colours, MapStyle};
+/// let style = MapStyle { colours: Some(Colours::Viridis), levels: Some(20), ..MapStyle::default() };
+/// assert!(style.range.is_none() && !style.is_logarithmic);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MapStyle {
+    /// The values at which colours begin and end, in the unit of the quantity; beyond them they do not change.
+    pub range: Option<[f64; 2]>,
+    /// Whether equal ratios of values, not equal differences, have equally many colours.
+    pub is_logarithmic: bool,
+    /// How many colours there are.
+    pub levels: Option<usize>,
+    /// Which.
+    pub colours: Option<Colours>,
+}
+
 /// Bands of a quantity and their colours.
 pub(super) struct Bands {
     scale: Scale,
+    colours: Colours,
     /// Where bands meet.
     edges: Vec<f64>,
     /// The value below which no sign is known; `None` if colours do not tell the sign.
@@ -25,32 +46,42 @@ pub(super) struct Bands {
 }
 
 impl Bands {
-    /// For values between the ends of a scale. A quantity that may have both signs, whose values are right to `error`, has colours on both
-    /// sides of a neutral zero.
-    pub(super) fn new(scale: Scale, error: Option<f64>) -> Self {
-        let scale = if error.is_some() { scale.with(0.0) } else { scale }.rounded();
+    /// For values between the ends of a scale, in a style without a range. Values of two signs that are right to `error` have colours on both sides of a
+    /// neutral zero.
+    pub(super) fn new(scale: Scale, error: Option<f64>, style: &MapStyle) -> Self {
+        let (low, high) = scale.ends();
+        let default = if error.is_some() { Colours::RedBlue } else { Colours::Magma };
+        let colours = style.colours.unwrap_or(default);
+        let scale = match style.range {
+            None if colours.are_signed() => scale.with(-low).with(-high).rounded(),
+            None => scale.rounded(),
+            Some(_) => scale,
+        };
         let (low, high) = scale.ends();
         let ticks: Vec<f64> = scale.ticks().iter().map(|tick| tick.value).collect();
         let step = ticks.windows(2).map(|pair| pair[1] - pair[0]).next().unwrap_or(high - low);
         let parts = (1..5).find(|parts| parts * (ticks.len().max(2) - 1) >= BANDS).unwrap_or(4);
-        let width = step / parts as f64;
-        let count = ((high - low) / width).round() as usize;
+        let even = if style.is_logarithmic { RATIOS } else { ((high - low) * parts as f64 / step).round() as usize };
+        let count = style.levels.unwrap_or(even);
         let largest = low.abs().max(high.abs());
-        let edge = |i: usize| Some(low + i as f64 * width).filter(|edge| edge.abs() > ZERO * largest).unwrap_or(0.0);
+        let at = |i: usize| scale.value(i as f64 / count as f64);
+        let edge = |i: usize| Some(at(i)).filter(|edge| edge.abs() > ZERO * largest).unwrap_or(0.0);
         // a band that is as wide as the error has no sign of its own
-        let unknown = error.map(|error| error.clamp(ZERO * largest, width));
-        Self { edges: (1..count).map(edge).collect(), scale, unknown }
+        let unknown = error.filter(|_| colours.are_signed()).map(|error| error.clamp(ZERO * largest, at(1) - at(0)));
+        Self { edges: (1..count).map(edge).collect(), scale, colours, unknown }
     }
 
     /// The colour of a band; 0 is the lowest.
     fn colour(&self, index: usize) -> Colour {
-        if self.unknown.is_none() {
-            return heat(index as f64 / self.edges.len().max(1) as f64);
-        }
         let (low, high) = self.scale.ends();
+        if !self.colours.are_signed() {
+            let share = index as f64 / self.edges.len().max(1) as f64;
+            // dark where the magnitude is large
+            return self.colours.at(if high <= 0.0 { 1.0 - share } else { share });
+        }
         let from = index.checked_sub(1).map_or(low, |below| self.edges[below]);
         let to = self.edges.get(index).copied().unwrap_or(high);
-        signed(0.5 * (from + to) / low.abs().max(high.abs()))
+        self.colours.at(0.5 * (from + to) / low.abs().max(high.abs()))
     }
 
     /// Values on a grid, row by row: from the lowest band up, each over all that is higher, so no seams remain. Nothing where the value is not
@@ -144,7 +175,9 @@ mod tests {
 
     #[test]
     fn zero_is_neutral_and_signs_have_colours_of_their_own() {
-        let bands = Bands::new(Scale::around([-1.0, 3.0]), Some(0.0));
+        let signed = |share: f64| Colours::RedBlue.at(share);
+        let bands = Bands::new(Scale::around([-1.0, 3.0]), Some(0.0), &MapStyle::default());
+        assert_eq!(bands.scale.ends(), (-3.0, 3.0));
         assert!(bands.edges.contains(&0.0));
         let zero = bands.edges.iter().position(|edge| *edge == 0.0).unwrap();
         let (below, above) = (bands.colour(zero), bands.colour(zero + 1));
@@ -160,10 +193,38 @@ mod tests {
         }
     }
 
+    #[test]
+    fn one_sign_goes_from_light_to_dark() {
+        let light = |c: Colour| u32::from(c.r) + u32::from(c.g) + u32::from(c.b);
+        for (ends, style) in [
+            ([0.0, 5.0], MapStyle::default()),
+            ([0.01, 5.0], MapStyle { is_logarithmic: true, ..MapStyle::default() }),
+            ([1.0, 5.0], MapStyle { levels: Some(7), range: Some([1.0, 5.0]), ..MapStyle::default() }),
+        ] {
+            for (_, colours) in Colours::NAMED.into_iter().filter(|(_, colours)| !colours.are_signed()) {
+                let style = MapStyle { colours: Some(colours), ..style };
+                let of = |ends: [f64; 2]| {
+                    let scale = Scale::around(ends);
+                    Bands::new(if style.is_logarithmic { scale.logarithmic() } else { scale }, None, &style)
+                };
+                let bands = of(ends);
+                let colours: Vec<u32> = (0..=bands.edges.len()).map(|index| light(bands.colour(index))).collect();
+                assert!(colours.is_sorted_by(|a, b| a > b), "{style:?}: {colours:?}");
+                assert!(bands.edges.is_sorted() && style.levels.is_none_or(|count| colours.len() == count));
+                let ratios: Vec<f64> = bands.edges.windows(2).map(|pair| pair[1] / pair[0]).collect();
+                assert!(!style.is_logarithmic || ratios.iter().all(|ratio| (ratio / ratios[0] - 1.0).abs() < 1e-9));
+                if !style.is_logarithmic {
+                    let below = of(ends.map(|end| -end));
+                    assert!(light(below.colour(0)) < light(below.colour(below.edges.len())));
+                }
+            }
+        }
+    }
+
     /// The lines of zero of values on a grid, which are right to an error.
     fn drawn(values: &[f64], [xs, ys]: [&[f64]; 2], error: f64) -> Vec<String> {
         let mut picture = Picture::new(8.0, 4.0);
-        let bands = Bands::new(Scale::around(values.iter().copied()), Some(error));
+        let bands = Bands::new(Scale::around(values.iter().copied()), Some(error), &MapStyle::default());
         bands.draw(&mut picture, [xs, ys], values, |at| at);
         picture.svg().lines().filter(|line| line.contains("fill=\"none\"")).map(str::to_owned).collect()
     }

@@ -97,9 +97,11 @@ impl Chart {
     fn axes(&self, picture: &mut Picture, lower: f64) {
         let Frame { left, top, right, bottom } = self.frame;
         let floor = bottom + lower;
-        let labelled = self.labelled();
+        let at = |tick: &Tick| self.place((tick.value, self.y.ends().0)).0;
+        let half = |tick: &Tick| 0.5 * width(&tick.label, SMALL);
+        let labelled = labelled(&self.x, |one, next| at(next) - at(one) > half(one) + half(next) + BESIDE);
         for tick in self.x.ticks() {
-            let (x, _) = self.place((tick.value, self.y.ends().0));
+            let x = at(&tick);
             let shown = labelled.contains(&tick);
             picture.line(&[(x, floor), (x, floor + if shown { TICK } else { 0.6 * TICK })], hair(INK));
             if shown {
@@ -115,23 +117,6 @@ impl Chart {
         let below = floor + TICK + 2.4 * TEXT;
         picture.text((0.5 * (left + right), below), &self.x.title(), TEXT, INK, Anchor::Centre);
         upright_axis(picture, &self.y, [left, top, bottom], Anchor::Right);
-    }
-
-    /// The marks along the bottom that have a number: all, or each second one, and so on, so that they stay apart.
-    fn labelled(&self) -> Vec<Tick> {
-        let ticks: Vec<Tick> = self.x.ticks().into_iter().filter(|tick| !tick.label.is_empty()).collect();
-        let zero = ticks.iter().position(|tick| tick.value == 0.0).unwrap_or(0);
-        let every = |step: usize| ticks.iter().skip(zero % step).step_by(step);
-        let apart = |step: &usize| {
-            let ends = every(*step).map(|tick| {
-                let (x, _) = self.place((tick.value, self.y.ends().0));
-                (x, 0.5 * width(&tick.label, SMALL))
-            });
-            let ends: Vec<(f64, f64)> = ends.collect();
-            ends.windows(2).all(|pair| pair[1].0 - pair[0].0 > pair[0].1 + pair[1].1 + BESIDE)
-        };
-        let step = (1..=ticks.len()).find(apart).unwrap_or(1);
-        every(step).cloned().collect()
     }
 
     fn list_of_labels(&self, picture: &mut Picture) {
@@ -164,16 +149,29 @@ impl Chart {
     }
 }
 
+/// The marks of an axis that have a number: all, or each second one, and so on, so that they stay apart.
+fn labelled(scale: &Scale, are_apart: impl Fn(&Tick, &Tick) -> bool) -> Vec<Tick> {
+    let ticks: Vec<Tick> = scale.ticks().into_iter().filter(|tick| !tick.label.is_empty()).collect();
+    let zero = ticks.iter().position(|tick| tick.value == 0.0).unwrap_or(0);
+    let every = |step: usize| ticks.iter().skip(zero % step).step_by(step);
+    let fits = |step: &usize| every(*step).zip(every(*step).skip(1)).all(|(one, next)| are_apart(one, next));
+    let step = (1..=ticks.len()).find(fits).unwrap_or(1);
+    every(step).cloned().collect()
+}
+
 /// The marks, numbers and title of an axis that runs upwards: on its left if they are anchored at their right ends, else on its right.
 pub(super) fn upright_axis(picture: &mut Picture, scale: &Scale, [x, top, bottom]: [f64; 3], anchor: Anchor) {
     let out = if anchor == Anchor::Right { -1.0 } else { 1.0 };
-    let ticks = scale.ticks();
-    for tick in &ticks {
-        let y = bottom - scale.share(tick.value) * (bottom - top);
+    let at = |tick: &Tick| bottom - scale.share(tick.value) * (bottom - top);
+    let labelled = labelled(scale, |one, next| (at(next) - at(one)).abs() > SMALL + 1.0);
+    for tick in scale.ticks() {
+        let y = at(&tick);
         picture.line(&[(x + out * TICK, y), (x, y)], hair(INK));
-        picture.text((x + out * (TICK + 3.0), y), &tick.label, SMALL, INK, anchor);
+        if labelled.contains(&tick) {
+            picture.text((x + out * (TICK + 3.0), y), &tick.label, SMALL, INK, anchor);
+        }
     }
-    let widest = ticks.iter().map(|tick| width(&tick.label, SMALL)).fold(0.0, f64::max);
+    let widest = labelled.iter().map(|tick| width(&tick.label, SMALL)).fold(0.0, f64::max);
     let beside = x + out * (TICK + 9.0 + widest + 0.5 * TEXT);
     picture.text((beside, 0.5 * (top + bottom)), &scale.title(), TEXT, INK, Anchor::Upwards);
 }

@@ -1,5 +1,5 @@
 //! A quantity inside the stack as a map, with the interfaces, the contacts and the punch.
-use super::bands::Bands;
+use super::bands::{Bands, MapStyle};
 use super::chart::{Chart, Frame, Labels};
 use super::depths::DrawnDepths;
 use super::file::PlotError;
@@ -20,17 +20,25 @@ const BEFORE_BAR: f64 = 12.0;
 /// Distance of lines of text below the map, and of the first from the map, in points.
 const LINE: f64 = 12.0;
 const BELOW: f64 = 46.0;
-/// Radius of the ring where the quantity is largest, in points.
-const RING: f64 = 3.2;
+/// Where the arms of the cross begin and end that marks an extreme, in points from its place.
+const ARMS: [f64; 2] = [3.0, 8.5];
 /// Values that differ by less than this part are the same.
 const SAME: f64 = 1e-6;
 /// Where a quantity is infinite, this part of the points may lie above the colours, and as many below: half as much hides less
 /// and leaves the colours to a few points next to the singular one.
 const BEYOND: f64 = 0.01;
+/// Values have one sign if those of the other are smaller than this part of the largest; zero belongs to their colours if the
+/// smallest is smaller than that part; logarithmic colours begin at that part.
+const OTHER_SIGN: f64 = 0.005;
+const NEAR_ZERO: f64 = 0.5;
+const DECADES: f64 = 1e-3;
+/// Where a quantity is infinite, a tension smaller than so many times the largest one in colours is not one next to a singular point.
+const WITHIN: f64 = 1.5;
 
 /// A quantity on grids that reach the faces of the layers, see [`Field::by_layer`], as bands of colour, with the interfaces, contacts
-/// in bold, and a ring where the quantity is largest: the largest shear stress where [`Field::max_shear`] finds it, others
-/// on the grid. Colours of a quantity that may have both signs are blue below 0 and red above, with a line at 0.
+/// in bold, and a cross where the quantity is largest: the largest shear stress where [`Field::max_shear`] finds it, others
+/// on the grid, normal stresses and strains where tension is. Colours go from light to dark where values have one sign; where they
+/// have two, they are blue below 0 and red above, with a line at 0.
 ///
 /// # Errors
 /// [`PlotError::Empty`] if the grids have fewer than two places and depths, or the quantity is nowhere finite.
@@ -41,6 +49,21 @@ pub fn map(
     grids: &[Grid],
     quantity: FieldQuantity,
 ) -> Result<Picture, PlotError> {
+    map_with(scene, solution, field, grids, quantity, &MapStyle::default())
+}
+
+/// The same as [`map`] with other colours.
+///
+/// # Errors
+/// As [`map`]; [`PlotError::Drawing`] if colours are to be logarithmic, and the values or the range are not positive.
+pub fn map_with(
+    scene: &Scene,
+    solution: &Solution,
+    field: &Field,
+    grids: &[Grid],
+    quantity: FieldQuantity,
+    style: &MapStyle,
+) -> Result<Picture, PlotError> {
     let points = || grids.iter().flat_map(|grid| grid.points());
     let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick));
     let (x, depth) = (over(|point| point.x), over(|point| point.depth).ends());
@@ -50,9 +73,8 @@ pub fn map(
     }
     let layers: Vec<_> = field.layers().collect();
     let on_ground = layers.last().is_some_and(|(_, [_, to])| *to <= depth.1 * (1.0 + 1e-9));
-    let faces = layers.iter().map(|(_, [from, _])| *from).filter(|face| *face > depth.0 && *face < depth.1);
     let per_length = WIDTH / (x.ends().1 - x.ends().0);
-    let depths = DrawnDepths::new([depth.0].into_iter().chain(faces).chain([depth.1]).collect(), per_length, HEIGHTS);
+    let depths = DrawnDepths::new(vec![depth.0, depth.1], per_length, HEIGHTS);
     let error = error(field, grids, quantity);
     let value = |point: &FieldPoint| known(quantity.of_in(point, scene.coordinates()), error);
     // infinite or not defined because stresses are infinite at this point
@@ -62,30 +84,56 @@ pub fn map(
         let name = quantity.name_in(scene.coordinates());
         PlotError::Empty(format!("{name} is infinite or not known at all points of the map"))
     })?;
-    let largest = Largest::of(scene, field, grids, quantity)
-        .filter(|largest| known(largest.value, error) != 0.0 && (!clipped || largest.overall));
+    let largest = Largest::of(scene, field, grids, quantity, error).filter(|largest| {
+        known(largest.value, error) != 0.0
+            && (!clipped || largest.overall || largest.value.abs() < WITHIN * values.ends().1)
+    });
     let chart = Chart {
         frame: Frame { left: 0.0, top: 0.0, right: WIDTH, bottom: depths.height() },
         x: x.of(&italic(along), unit(scene, Dimension::LENGTH)),
-        y: Scale::bent(&depths.knots, on_ground).reversed().of("depth", unit(scene, Dimension::LENGTH)),
+        y: Scale::around([depth.0, depth.1]).reversed().of("depth", unit(scene, Dimension::LENGTH)),
         curves: Vec::new(),
         labels: Labels::AtEnds,
     };
     let middle = chart.place((0.0, 0.0)).0;
     let section = Section::new(scene, solution, chart.place((1.0, 0.0)).0 - middle, middle);
+    let clipped = clipped && style.range.is_none();
     let map = Map { section, layers, on_ground, quantity, clipped, largest, chart, note: depths.note() };
     // colours reach the value that is called the largest
     let values = match &map.largest {
-        Some(Largest { point: (x, at, _), value, .. }) if !clipped && map.shows(*x, *at) => values.with(*value),
+        Some(Largest { point: (x, at, _), value, .. }) if !map.clipped && map.shows(*x, *at) => values.with(*value),
         _ => values,
     };
     let (name, dimension) = names::of_quantity(quantity, scene.coordinates());
-    let values = values.of(&name, unit(scene, dimension));
-    let bands = match is_signed(quantity) {
-        true => Bands::new(values, Some(error)),
-        false => Bands::new(values.with(0.0), None),
+    let shown = shown(values.ends(), style)?.of(&name, unit(scene, dimension));
+    let has_signs = shown.ends().0 < 0.0 && shown.ends().1 > 0.0;
+    Ok(map.draw(grids, &Bands::new(shown, has_signs.then_some(error), style)))
+}
+
+/// The range of colours for values from one to another.
+fn shown((low, high): (f64, f64), style: &MapStyle) -> Result<Scale, PlotError> {
+    let (least, most) = (low.abs().min(high.abs()), low.abs().max(high.abs()));
+    let has_signs = low < -OTHER_SIGN * most && high > OTHER_SIGN * most;
+    let ends = match style.range {
+        Some(ends) => ends,
+        None if has_signs => [low, high],
+        None if style.is_logarithmic => [low.max(DECADES * high), high],
+        None if low * high < 0.0 || least < NEAR_ZERO * most => {
+            if high > -low {
+                [0.0, high]
+            } else {
+                [low, 0.0]
+            }
+        }
+        None => [low, high],
     };
-    Ok(map.draw(grids, &bands))
+    let scale = Scale::around(ends);
+    if style.is_logarithmic && scale.ends().0 <= 0.0 {
+        let [from, to] = ends.map(short);
+        let message = format!("logarithmic colours need values > 0, found {from} to {to}: give a range > 0");
+        return Err(PlotError::Drawing(message));
+    }
+    Ok(if style.is_logarithmic { scale.logarithmic() } else { scale })
 }
 
 /// A value, or 0 if it is less than its error: rounding is not drawn.
@@ -118,6 +166,16 @@ fn is_signed(quantity: FieldQuantity) -> bool {
     !matches!(quantity, FieldQuantity::MaxShear | FieldQuantity::VonMises)
 }
 
+/// How a quantity is called where it is positive, if it is a normal stress or strain.
+fn tensile(quantity: FieldQuantity) -> Option<&'static str> {
+    use FieldQuantity::{Eps1, EpsXx, EpsYy, EpsZz, Sigma1, SigmaXx, SigmaYy, SigmaZz};
+    match quantity {
+        SigmaXx | SigmaYy | SigmaZz | Sigma1 => Some("tension"),
+        EpsXx | EpsYy | EpsZz | Eps1 => Some("stretch"),
+        _ => None,
+    }
+}
+
 /// Whether a quantity is infinite somewhere on the face on which the punch presses, be it between the points of a grid.
 fn rises(scene: &Scene, solution: &Solution, quantity: FieldQuantity) -> bool {
     let infinite = solution.contacts().first().is_some_and(|contact| contact.peak().pressure.is_infinite());
@@ -147,31 +205,38 @@ struct Largest {
     /// x, depth, and the layer's number.
     point: (f64, f64, usize),
     value: f64,
+    /// What is compared, if not all values.
+    what: Option<&'static str>,
     /// Whether the value is the largest of the whole stack, or on the grid of the map only.
     overall: bool,
 }
 
 impl Largest {
     /// `None` if it is infinite.
-    fn of(scene: &Scene, field: &Field, grids: &[Grid], quantity: FieldQuantity) -> Option<Self> {
+    fn of(scene: &Scene, field: &Field, grids: &[Grid], quantity: FieldQuantity, error: f64) -> Option<Self> {
         if quantity == FieldQuantity::MaxShear
             && let Ok(found) = field.max_shear()
         {
             let point = (found.x, found.depth, found.layer);
-            return found.value.is_finite().then_some(Self { point, value: found.value, overall: true });
+            let largest = Self { point, value: found.value, what: None, overall: true };
+            return Some(largest).filter(|largest| largest.value.is_finite());
         }
         let value = |point: &FieldPoint| quantity.of_in(point, scene.coordinates());
         let points = grids.iter().flat_map(|grid| grid.points());
+        let is_tense = |point: &FieldPoint| value(point).is_finite() && value(point) > error;
+        let tension = tensile(quantity).filter(|_| grids.iter().flat_map(|grid| grid.points()).any(is_tense));
+        let size = |point: &FieldPoint| if tension.is_some() { value(point) } else { value(point).abs() };
         // of two that are the same the one on the right, and the one above
         let finite = points.filter(|point| value(point).is_finite());
         let larger = |a: &&FieldPoint, b: &&FieldPoint| {
-            let (p, q) = (value(a).abs(), value(b).abs());
-            let same = (p - q).abs() <= SAME * p.max(q);
+            let (p, q) = (size(a), size(b));
+            let same = (p - q).abs() <= SAME * p.abs().max(q.abs());
             let upper = b.depth.total_cmp(&a.depth).then(b.layer.cmp(&a.layer));
             if same { a.x.total_cmp(&b.x).then(upper) } else { p.total_cmp(&q) }
         };
         let point = finite.max_by(larger)?;
-        Some(Self { point: (point.x, point.depth, point.layer), value: value(point), overall: false })
+        let what = tension.or(is_signed(quantity).then_some("magnitude"));
+        Some(Self { point: (point.x, point.depth, point.layer), value: value(point), what, overall: false })
     }
 }
 
@@ -218,9 +283,7 @@ impl Map<'_> {
         if let Some(Largest { point: (x, depth, _), .. }) = self.largest
             && self.shows(x, depth)
         {
-            let at = self.chart.place((x, depth));
-            picture.circle(at, RING, Stroke { colour: WHITE, width: 2.4, dash: None });
-            picture.circle(at, RING, Stroke { colour: INK, width: 1.0, dash: None });
+            cross(&mut picture, self.chart.place((x, depth)));
         }
         let first = (bottom + BELOW + ground).max(lowest + LINE);
         for (i, line) in self.notes().iter().enumerate() {
@@ -250,9 +313,9 @@ impl Map<'_> {
             if depth < first || depth > last * (1.0 + SAME) {
                 continue;
             }
-            labels.extend(self.section.interface(picture, found, height(depth), touching));
+            labels.extend(self.section.interface(picture, found, &section::level(height(depth)), touching));
         }
-        section::labels(picture, labels, Anchor::Left, [top, bottom], "labels")
+        section::labels(picture, labels, Anchor::Left, [top, bottom.max(top + BAR)], "labels")
     }
 
     fn shows(&self, x: f64, depth: f64) -> bool {
@@ -267,15 +330,19 @@ impl Map<'_> {
         let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(scene, dimension));
         let along = italic(scene.geometry.words().along);
         let mut notes = Vec::new();
-        if let Some(Largest { point: (x, depth, layer), value, overall }) = &self.largest {
-            let what = match (overall, self.shows(*x, *depth)) {
-                (true, true) => "ring: largest in the stack",
-                (true, false) => "largest in the stack, outside this map",
-                (false, _) if is_signed(self.quantity) => "ring: largest magnitude on the grid of this map",
-                (false, _) => "ring: largest on the grid of this map",
+        if let Some(Largest { point: (x, depth, layer), value, what, overall }) = &self.largest {
+            let mark = match (overall, self.shows(*x, *depth)) {
+                (true, true) => "cross: largest in the stack".to_owned(),
+                (true, false) => "largest in the stack, outside this map".to_owned(),
+                (false, _) => {
+                    let what = what.map_or(String::new(), |what| format!(" {what}"));
+                    format!("cross: largest{what} on the grid of this map")
+                }
             };
-            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(*x), short(*depth));
-            notes.push(format!("{what}, {}{stress} {place}", short(*value)));
+            let (from, to) = self.chart.x.ends();
+            let x = if x.abs() < SAME * (to - from) { 0.0 } else { *x };
+            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(x), short(*depth));
+            notes.push(format!("{mark}, {}{stress} {place}", short(*value)));
         }
         if self.clipped {
             let [least, most] = [BEYOND, 1.0 - BEYOND].map(|part| 100.0 * part);
@@ -285,6 +352,15 @@ impl Map<'_> {
         }
         notes.extend(self.note.clone());
         notes
+    }
+}
+
+/// A cross with an open middle, in which one sees what is there.
+fn cross(picture: &mut Picture, (x, y): (f64, f64)) {
+    for stroke in [Stroke { colour: WHITE, width: 3.0, dash: None }, Stroke { colour: INK, width: 1.0, dash: None }] {
+        for (right, down) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+            picture.line(&ARMS.map(|arm| (x + right * arm, y + down * arm)), stroke);
+        }
     }
 }
 

@@ -15,7 +15,9 @@ const LONGEST: usize = 12;
 /// The label of the unit, if the scene names its units.
 pub(super) fn unit(scene: &Scene, dimension: Dimension) -> Option<String> {
     let Units { length, force } = scene.units.as_ref()?;
-    let [length, force] = [length, force].map(|unit| unit.chars().take(LONGEST).collect());
+    // scenes may write u for a letter that keyboards lack
+    let written = |unit: &String| if matches!(&unit[..], "um" | "uN") { unit.replace('u', "µ") } else { unit.clone() };
+    let [length, force] = [length, force].map(|unit| written(unit).chars().take(LONGEST).collect());
     Some(Units { length, force }.symbol(dimension)).filter(|symbol| !symbol.is_empty())
 }
 

@@ -2,9 +2,11 @@
 use tiny_skia::{Path, PathBuilder, Transform};
 
 use super::chart::Frame;
+use super::file::PlotError;
 use super::letters::{PlacedLetter, letters, shortened};
 use super::picture::{Anchor, DrawnShape, Picture, plain};
-use super::style::{INK, TITLE};
+use super::scale::label;
+use super::style::{INK, TEXT, TITLE};
 use crate::scene::visible;
 
 /// Room around all that is drawn, in points.
@@ -65,12 +67,20 @@ impl DrawnShape {
         Some(Frame { left, top, right, bottom })
     }
 
-    fn shift(&mut self, (right, down): (f64, f64)) {
-        let shift = |(x, y): &mut (f64, f64)| (*x, *y) = (*x + right, *y + down);
+    /// Enlarges the shape about the origin, and shifts it.
+    fn place(&mut self, times: f64, (right, down): (f64, f64)) {
+        let place = |(x, y): &mut (f64, f64)| (*x, *y) = (times * *x + right, times * *y + down);
         match self {
-            Self::Line { points, .. } => points.iter_mut().for_each(shift),
-            Self::Area { rings, .. } => rings.iter_mut().flatten().for_each(shift),
-            Self::Text { at, .. } => shift(at),
+            Self::Line { points, stroke } => {
+                points.iter_mut().for_each(place);
+                stroke.width *= times;
+                stroke.dash = stroke.dash.map(|(dash, space)| (times * dash, times * space));
+            }
+            Self::Area { rings, .. } => rings.iter_mut().flatten().for_each(place),
+            Self::Text { at, size, .. } => {
+                place(at);
+                *size *= times;
+            }
         }
     }
 }
@@ -87,7 +97,7 @@ impl Picture {
     pub fn fitted(mut self) -> Self {
         if let Some(all) = Frame::around(self.shapes.iter().filter_map(DrawnShape::frame)) {
             let by = (MARGIN - all.left, MARGIN - all.top);
-            self.shapes.iter_mut().for_each(|shape| shape.shift(by));
+            self.shapes.iter_mut().for_each(|shape| shape.place(1.0, by));
             self.size = (all.right + by.0 + MARGIN, all.bottom + by.1 + MARGIN);
         }
         self
@@ -111,6 +121,36 @@ impl Picture {
             self.text((0.5 * (all.left + all.right), y), &title, TITLE, INK, Anchor::Centre);
         }
         self.fitted()
+    }
+
+    /// The page enlarged until letters of axes have a size, or until it fills a page of a given width and height; with both the
+    /// letters have that size, and what is drawn stands in the middle of the page. All in points.
+    ///
+    /// ```
+    /// # use recede::plot::{Picture, style};
+    /// let mut picture = Picture::new(300.0, 100.0);
+    /// picture.line(&[(0.0, 50.0), (280.0, 50.0)], style::curve(0, 1));
+    /// let picture = picture.fitted().sized(Some((600.0, 400.0)), None)?;
+    /// assert_eq!(picture.size(), (600.0, 400.0));
+    /// assert!(picture.sized(Some((300.0, 200.0)), Some(20.0)).is_err());
+    /// # Ok::<(), recede::plot::PlotError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`PlotError::Drawing`] if what is drawn with such letters is larger than the page.
+    pub fn sized(mut self, page: Option<(f64, f64)>, letters: Option<f64>) -> Result<Self, PlotError> {
+        let (width, height) = self.size;
+        let fits = page.map_or(f64::INFINITY, |(w, h)| (w / width).min(h / height));
+        let times = letters.map_or(if page.is_some() { fits } else { 1.0 }, |letters| letters / TEXT);
+        if times > fits {
+            let [letters, width, height] = [times * TEXT, (times * width).ceil(), (times * height).ceil()].map(label);
+            let needed = format!("letters of {letters} points need a page of {width} x {height} points");
+            return Err(PlotError::Drawing(needed));
+        }
+        self.size = page.unwrap_or((times * width, times * height));
+        let beside = (0.5 * (self.size.0 - times * width), 0.5 * (self.size.1 - times * height));
+        self.shapes.iter_mut().for_each(|shape| shape.place(times, beside));
+        Ok(self)
     }
 
     /// The size of the page, width and height, in points.

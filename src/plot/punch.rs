@@ -5,7 +5,7 @@ use super::names::{after, of_top};
 use super::picture::{Anchor, Picture, Stroke, italic};
 use super::pressure::{highest, lines, pressure};
 use super::scale::{label, short};
-use super::section::{ASIDE, Section, WIDTH};
+use super::section::{ASIDE, Section, WIDTH, height_at};
 use super::style::{INK, PUNCH, SMALL, TEXT};
 use crate::scene::{Pressed, Punches, Tilt, Top};
 
@@ -33,13 +33,17 @@ impl Section<'_> {
             }
             Top::Punches(punches) => {
                 let aside = |pressed: &Pressed| pressed.at() + aside(pressed);
-                (punches.parts().map(|(pressed, _)| aside(pressed)).collect(), self.bodies(punches, picture))
+                let times = match &self.punches {
+                    Some(lower) => self.displaced(punches, lower, picture),
+                    None => self.bodies(punches, picture),
+                };
+                (punches.parts().map(|(pressed, _)| aside(pressed)).collect(), times)
             }
         };
         // beside its arrow, or with the names, where no arrow is, if it has several
         match places[..] {
             [at] if self.sees(self.x(at)) => {
-                let place = (self.x(at) + ASIDE, -HIGHEST - 15.0);
+                let place = (self.x(at) + ASIDE, self.ceiling() - 15.0);
                 picture.text(place, &force, TEXT, INK, Anchor::Left);
             }
             [_] => {}
@@ -51,6 +55,28 @@ impl Section<'_> {
         for (i, name) in names.iter().rev().enumerate() {
             picture.text((WIDTH + ASIDE, lowest - APART * i as f64), name, SMALL, INK, Anchor::Left);
         }
+    }
+
+    /// Up to which height punches are drawn.
+    fn ceiling(&self) -> f64 {
+        self.top.iter().map(|(_, y)| *y).fold(0.0, f64::min) - HIGHEST
+    }
+
+    /// All punches above their lower sides, with their forces.
+    fn displaced(&self, punches: &Punches, lower: &[(f64, f64)], picture: &mut Picture) -> Option<f64> {
+        let ceiling = self.ceiling();
+        for side in lower.split(|(_, y)| *y <= ceiling).filter(|side| side.len() > 1) {
+            let corner = |end: usize| (side[end].0, ceiling);
+            let ends = [corner(0), corner(side.len() - 1)];
+            let body = ends[..1].iter().chain(side).chain(&ends[1..]).copied();
+            picture.area(&body.clone().collect::<Vec<_>>(), PUNCH);
+            // its own sides are drawn, not the sides of the drawing
+            let own = body.filter(|(x, y)| *y > ceiling || (*x > 0.0 && *x < WIDTH));
+            picture.line(&own.collect::<Vec<_>>(), Stroke { colour: INK, width: 1.0, dash: None });
+        }
+        let forces = punches.parts().map(|(pressed, _)| self.x(pressed.at() + aside(pressed)));
+        forces.filter(|x| self.sees(*x)).for_each(|x| arrow(picture, x, ceiling - 4.0, 18.0));
+        None
     }
 
     /// All punches, each as far as half the way to its neighbours. Returns how much higher than to scale the highest is, if it is.
@@ -118,7 +144,10 @@ impl Section<'_> {
         let curves = self.contacts.first().map_or(Vec::new(), |contact| pressure(self.scene, contact));
         let most = highest(&curves);
         for curve in &curves {
-            let at = |(x, p): &(f64, f64)| (self.x(*x).clamp(0.0, WIDTH), -HIGHEST * p.min(most) / most);
+            let at = |(x, p): &(f64, f64)| {
+                let x = self.x(*x).clamp(0.0, WIDTH);
+                (x, height_at(&self.top, x) - HIGHEST * p.min(most) / most)
+            };
             let outline: Vec<(f64, f64)> = curve.iter().map(at).collect();
             picture.area(&outline, PUNCH);
             picture.line(&outline, Stroke { colour: INK, width: 1.0, dash: None });
@@ -127,14 +156,14 @@ impl Section<'_> {
             let count = (((to - from) / ARROWS) as usize).max(usize::from(to > from));
             for x in (1..=count).map(|i| from + (to - from) * (i as f64 - 0.5) / count as f64) {
                 let next = outline.partition_point(|(at, _)| *at < x).min(outline.len() - 1);
-                let length = -3.0 - outline[next].1;
-                if length > 10.0 {
-                    arrow(picture, x, -3.0, length);
+                let tip = height_at(&self.top, x) - 3.0;
+                if tip - outline[next].1 > 10.0 {
+                    arrow(picture, x, tip, tip - outline[next].1);
                 }
             }
         }
         for x in lines(self.scene).into_iter().map(|x| self.x(x)).filter(|x| self.sees(*x)) {
-            arrow(picture, x, -3.0, HIGHEST + 8.0);
+            arrow(picture, x, height_at(&self.top, x) - 3.0, HIGHEST + 8.0);
         }
     }
 }
@@ -176,6 +205,7 @@ fn arrow(picture: &mut Picture, x: f64, tip: f64, length: f64) {
 mod tests {
     use super::*;
     use crate::plot::picture::{Colour, DrawnShape};
+    use crate::plot::section::level;
     use crate::scene::Scene;
 
     /// The outlines of the bodies that are drawn above a face at height 0, x = 0 at 170 and 20 points per length, and the tips of their arrows.
@@ -183,7 +213,8 @@ mod tests {
         let scene = format!("Scene(geometry: PlaneStrain, punches: [{punches}], stack: [Rigid])");
         let scene = Scene::from_ron(&scene).unwrap();
         let mut picture = Picture::new(340.0, 100.0);
-        Section { scene: &scene, force: 1.0, contacts: &[], symbols: Vec::new(), scale: 20.0, middle: 170.0 }
+        let (contacts, symbols, top) = (&[][..], Vec::new(), level(0.0));
+        Section { scene: &scene, force: 1.0, contacts, symbols, scale: 20.0, middle: 170.0, top, punches: None }
             .presses(&mut picture);
         assert!(picture.is_finite());
         let areas = |wanted: Colour| {

@@ -9,16 +9,7 @@ pub struct Scale {
     high: f64,
     logarithmic: bool,
     reversed: bool,
-    /// Values and where they stand, from 0 to 1, if distances are not the same everywhere.
-    bent: Vec<(f64, f64)>,
-    /// Whether the last of these values is no place to be marked.
-    last_is_unmarked: bool,
-    /// Least distance of two marks, from 0 to 1.
-    apart: f64,
 }
-
-/// Least distance of two marks where distances differ, in points.
-const APART: f64 = 11.0;
 
 /// A mark of an axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,20 +74,6 @@ impl Scale {
         self
     }
 
-    /// A range through ascending values that stand at these ascending heights in points, evenly between them: two at least. All of them
-    /// are marked where there is room, the last one if it is a place to be marked.
-    pub(super) fn bent(knots: &[(f64, f64)], last_is_marked: bool) -> Self {
-        let scale = Self::around(knots.iter().map(|(value, _)| *value));
-        let (Some((_, first)), Some((_, last))) = (knots.first(), knots.last()) else { return scale };
-        let share = |(value, at): &(f64, f64)| (*value, (at - first) / (last - first));
-        Self {
-            bent: knots.iter().map(share).collect(),
-            last_is_unmarked: !last_is_marked,
-            apart: APART / (last - first),
-            ..scale
-        }
-    }
-
     /// The ends of the range.
     pub fn ends(&self) -> (f64, f64) {
         (self.low, self.high)
@@ -104,14 +81,19 @@ impl Scale {
 
     /// Where a value stands, from 0 to 1 within the range.
     pub fn share(&self, value: f64) -> f64 {
-        let last = self.bent.len().saturating_sub(2);
-        let k = self.bent.partition_point(|(knot, _)| *knot <= value).saturating_sub(1).min(last);
-        let share = match self.bent.get(k..k + 2) {
-            Some(&[(from, start), (to, end)]) => start + (end - start) * (value - from) / (to - from),
-            _ if self.logarithmic => (value / self.low).ln() / (self.high / self.low).ln(),
-            _ => (value - self.low) / (self.high - self.low),
+        let share = match self.logarithmic {
+            true => (value / self.low).ln() / (self.high / self.low).ln(),
+            false => (value - self.low) / (self.high - self.low),
         };
         if self.reversed { 1.0 - share } else { share }
+    }
+
+    /// The value at a part of a range that is not reversed.
+    pub(super) fn value(&self, share: f64) -> f64 {
+        match self.logarithmic {
+            true => self.low * (self.high / self.low).powf(share),
+            false => self.low + (self.high - self.low) * share,
+        }
     }
 
     /// Power of ten that the labels leave out, 0 if none.
@@ -134,9 +116,6 @@ impl Scale {
             return self.logarithmic_ticks();
         }
         let unit = 10f64.powi(self.power());
-        if !self.bent.is_empty() {
-            return self.bent_ticks(unit);
-        }
         let step = step(self.high - self.low);
         let whole = |decimals: &usize| {
             let scaled = step / unit * 10f64.powi(*decimals as i32);
@@ -149,27 +128,6 @@ impl Scale {
             Tick { value, label: minus(format!("{:.decimals$}", value / unit)) }
         };
         (first..=last).map(tick).collect()
-    }
-
-    /// The knots, as far as they are apart from each other, and round numbers between them.
-    fn bent_ticks(&self, unit: f64) -> Vec<Tick> {
-        let mut values: Vec<f64> = Vec::new();
-        let round = self.bent.windows(2).flat_map(|pair| {
-            let step = step((pair[1].0 - pair[0].0) * (self.apart * 8.0 / (pair[1].1 - pair[0].1)).max(1.0));
-            let (first, last) = ((pair[0].0 / step).ceil() as i64, (pair[1].0 / step).floor() as i64);
-            (first..=last).map(move |i| i as f64 * step)
-        });
-        let last = self.bent.len() - 1;
-        let ends = [Some(0), Some(last).filter(|_| !self.last_is_unmarked)].into_iter().flatten();
-        let knots = ends.chain(1..last).map(|k| self.bent[k].0);
-        for value in knots.chain(round) {
-            let near = |other: &f64| (self.share(*other) - self.share(value)).abs() < self.apart;
-            if (self.low..=self.high).contains(&value) && !values.iter().any(near) {
-                values.push(value);
-            }
-        }
-        values.sort_by(f64::total_cmp);
-        values.into_iter().map(|value| Tick { value, label: short(value / unit) }).collect()
     }
 
     /// Powers of ten, or 1, 2, 5 times them over short ranges, and between them marks without a label.
@@ -294,16 +252,6 @@ mod tests {
         assert_eq!(labels(&Scale::around([0.2, 0.9]).logarithmic()), ["0.2", "0.3", "0.4", "0.5", "0.7"]);
         assert_eq!(labels(&Scale::around([0.1, 10.0]).logarithmic()), ["0.1", "0.2", "0.5", "1", "2", "5", "10"]);
         assert!(Scale::around([1e-30, 1e30]).logarithmic().ticks().len() < 9);
-    }
-
-    #[test]
-    fn distances_may_differ() {
-        let scale = Scale::bent(&[(0.0, 0.0), (0.01, 20.0), (1.01, 100.0)], true);
-        assert_eq!((scale.share(0.0), scale.share(0.01), scale.share(1.01)), (0.0, 0.2, 1.0));
-        assert!((scale.share(0.51) - 0.6).abs() < 1e-12);
-        let labels = labels(&scale);
-        assert!(["0", "0.01", "0.6", "1.01"].iter().all(|label| labels.contains(&(*label).to_owned())), "{labels:?}");
-        assert_eq!(scale.clone().reversed().share(1.01), 0.0);
     }
 
     #[test]

@@ -17,6 +17,11 @@ pub(super) const WIDTH: f64 = 340.0;
 /// Room for the sign of what does not move, in points.
 pub(super) const GROUND: f64 = 12.0;
 
+/// The line of a face where bodies are apart.
+pub(super) fn dashed() -> Stroke {
+    Stroke { dash: Some((2.5, 2.5)), ..hair(INK) }
+}
+
 /// Strokes below a line at the height `y`: what does not move.
 pub(super) fn hatching(picture: &mut Picture, y: f64) {
     let mut x = 0.0;
@@ -25,6 +30,28 @@ pub(super) fn hatching(picture: &mut Picture, y: f64) {
         picture.line(&[(end, y), (end - APART, y + APART)], hair(INK));
         x += APART;
     }
+}
+
+/// A line through points of the drawing, from its left side to its right one.
+pub(super) type Outline = Vec<(f64, f64)>;
+
+/// A straight one at a height.
+pub(super) fn level(y: f64) -> Outline {
+    vec![(0.0, y), (WIDTH, y)]
+}
+
+/// The height of an outline of two points or more at a place.
+pub(super) fn height_at(outline: &[(f64, f64)], x: f64) -> f64 {
+    let after = outline.partition_point(|(at, _)| *at < x).clamp(1, outline.len() - 1);
+    let ((from, start), (to, end)) = (outline[after - 1], outline[after]);
+    start + (end - start) * (x - from) / (to - from)
+}
+
+/// An outline between two places.
+fn part(outline: &[(f64, f64)], from: f64, to: f64) -> Outline {
+    let inside = outline.iter().copied().filter(|(x, _)| *x > from && *x < to);
+    let end = |x: f64| (x, height_at(outline, x));
+    [end(from)].into_iter().chain(inside).chain([end(to)]).collect()
 }
 
 /// A section through a stack in a drawing that reaches from 0 to its [`WIDTH`], with the top face of the stack at height 0.
@@ -39,13 +66,17 @@ pub(super) struct Section<'a> {
     pub(super) scale: f64,
     /// Where x = 0 is.
     pub(super) middle: f64,
+    /// The top face of the stack.
+    pub(super) top: Outline,
+    /// The lower sides of all punches, not finite where there is none, of a stack that is drawn with its displacements.
+    pub(super) punches: Option<Outline>,
 }
 
 impl<'a> Section<'a> {
     pub(super) fn new(scene: &'a Scene, solution: &'a Solution, scale: f64, middle: f64) -> Self {
         let (force, contacts) = (solution.force(), solution.contacts());
         let symbols = symbols(contacts.iter().map(|contact| contact.interface));
-        Self { scene, force, contacts, symbols, scale, middle }
+        Self { scene, force, contacts, symbols, scale, middle, top: level(0.0), punches: None }
     }
 
     pub(super) fn x(&self, x: f64) -> f64 {
@@ -68,29 +99,42 @@ impl<'a> Section<'a> {
         (0..=numbers.len()).map(of).collect()
     }
 
-    /// An interface, which is a contact if one is found there, from side to side at the height `y`: as bold as `touching` where bodies touch,
-    /// dashed where they have opened. Returns the height with a label of a contact, which says how far bodies touch.
+    /// An interface, which is a contact if one is found there, from side to side along a face: as bold as `touching` where bodies touch,
+    /// dashed where they have opened. Returns the height at the left with a label of a contact, which says how far bodies touch.
     pub(super) fn interface(
         &self,
         picture: &mut Picture,
         found: Option<usize>,
-        y: f64,
+        face: &[(f64, f64)],
         touching: Stroke,
     ) -> Option<(f64, String)> {
         let contact = found.map(|i| &self.contacts[i]);
         let open = match contact.map(|contact| contact.interface) {
-            Some(Interface::Between { .. }) => Stroke { dash: Some((2.5, 2.5)), ..hair(INK) },
+            Some(Interface::Between { .. }) => dashed(),
             Some(Interface::Punch) | None => hair(INK),
         };
+        let intervals = contact.map_or(&[][..], Contact::intervals);
+        let ends: Vec<[f64; 2]> = intervals.iter().map(|Interval { left, right, .. }| [*left, *right]).collect();
+        self.spans(picture, &ends, face, [touching, open]);
+        found.map(|i| (height_at(face, 0.0), reach(self.scene, &self.contacts[i], &self.symbols[i].0)))
+    }
+
+    /// A face from side to side, one way between these places along x, another way beside them.
+    pub(super) fn spans(
+        &self,
+        picture: &mut Picture,
+        spans: &[[f64; 2]],
+        face: &[(f64, f64)],
+        [inside, beside]: [Stroke; 2],
+    ) {
         let mut from = 0.0;
-        for Interval { left: start, right: stop, .. } in contact.map_or(&[][..], Contact::intervals) {
-            let [start, stop] = [*start, *stop].map(|x| self.x(x).clamp(0.0, WIDTH));
-            picture.line(&[(from, y), (start, y)], open);
-            picture.line(&[(start, y), (stop, y)], touching);
+        for ends in spans {
+            let [start, stop] = ends.map(|x| self.x(x).clamp(0.0, WIDTH));
+            picture.line(&part(face, from, start), beside);
+            picture.line(&part(face, start, stop), inside);
             from = stop;
         }
-        picture.line(&[(from, y), (WIDTH, y)], open);
-        found.map(|i| (y, reach(self.scene, &self.contacts[i], &self.symbols[i].0)))
+        picture.line(&part(face, from, WIDTH), beside);
     }
 }
 

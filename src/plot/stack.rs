@@ -1,13 +1,18 @@
 //! A stack drawn with its punch and contacts, and the pressures below it.
-use super::chart::{Chart, Curve, Frame, Labels, hidden};
+use recede_layers::Plane;
+
+use super::chart::{APART, Chart, Curve, Frame, Labels, hidden};
 use super::depths::DrawnDepths;
+use super::displaced::Displaced;
+use super::file::PlotError;
 use super::names::{self, Dimension, after, index, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, WHITE, italic};
 use super::pressure::{highest, lines, pressure};
 use super::punch::rounded_down;
 use super::scale::{Scale, label, short};
-use super::section::{self, GROUND, Section, WIDTH, hatching};
-use super::style::{INK, SMALL, curve};
+use super::section::{self, GROUND, Outline, Section, WIDTH, dashed, hatching, height_at, level};
+use super::style::{INK, SMALL, curve, hair};
+use crate::profile::FaceProfiles;
 use crate::scene::Scene;
 use crate::solution::{ClosedInterface, Contact, Interface, Solution};
 use crate::stack::{Group, Placed, Stack};
@@ -43,35 +48,55 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
     // points per length
     let [most, least] = FILLED.map(|share| share * 0.5 * WIDTH / longest);
     let scale = if total > 0.0 { (HIGHEST / total).clamp(least, most) } else { most };
-    let layers: Vec<&Placed> = stack.groups().flat_map(|group| Group::layers(&group)).collect();
-    let mut depth = 0.0;
-    let below = layers.iter().filter_map(|placed| placed.layer.thickness()).map(|thickness| {
-        depth += thickness;
-        depth
-    });
-    let faces = [0.0].into_iter().chain(below).collect();
-    let depths = DrawnDepths::new(faces, scale, [0.0, HIGHEST]);
-    let is_ground = stack.base().foundation().half_plane().is_none();
-    let base = if is_ground { None } else { Some(depths.height() + BASE) };
-    let drawing = Drawing {
-        section: Section::new(scene, solution, scale, 0.5 * WIDTH - scale * middle),
-        stack,
-        closed: solution.closed(),
-        is_ground,
-        layers,
-        middle,
-        bottom: base.unwrap_or(depths.height() + GROUND),
-        heights: depths.knots.iter().map(|(_, height)| *height).chain(base).collect(),
-    };
-    let mut picture = Picture::new(WIDTH, HIGHEST);
-    drawing.layers(&mut picture);
-    if let Some(note) = depths.note() {
-        picture.text((0.0, drawing.bottom + 8.0), &note, SMALL, INK, Anchor::Left);
+    let (mut drawing, note) = Drawing::new(scene, stack, solution, [scale, middle]);
+    drawing.draw(&note.into_iter().collect::<Vec<_>>())
+}
+
+/// The stack of a solved scene as [`stack`] draws it, but with its faces displaced: a profile along its faces between the first and
+/// the last of its places.
+///
+/// Displacements across the layers, gaps and the profiles of punches are drawn so many times as large as lengths along the layers, by
+/// default so that they are seen well: the picture says how many times. They are counted from the rigid base, and in a stack on a half-plane from the ends of its top
+/// face in the picture. Displacements along the layers are left out, so that bodies touch in the drawing where they touch.
+///
+/// ```
+/// use recede::{Model, Scene, plot, profile_places};
+/// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, punch: Cylinder(radius: 500), force: 0.002, stack: [
+///     Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding, HalfPlane(shear_modulus: 1, poisson: 0.25)])")?;
+/// let model = Model::new(scene.stack()?)?;
+/// let solution = model.press(&scene.top, scene.force)?;
+/// let profile = model.profile(&scene.top, &solution, &profile_places(&solution, None, 400))?;
+/// let picture = plot::deformed(&scene, model.stack(), &solution, &profile, Some(50.0))?;
+/// assert!(picture.labels().iter().any(|(text, _)| text.contains("displacements drawn × 50")));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`PlotError::Empty`] if there are fewer than two places, or displacements are infinite: a line load presses on x = 0 of a half-plane,
+/// from where they are counted. [`PlotError::Drawing`] if they are drawn so much larger that they do not fit on a page.
+pub fn deformed(
+    scene: &Scene,
+    stack: &Stack,
+    solution: &Solution,
+    profile: &FaceProfiles,
+    times: Option<f64>,
+) -> Result<Picture, PlotError> {
+    let (Some(first), Some(last)) = (profile.x.first(), profile.x.last()) else { return Err(few()) };
+    let (scale, middle) = (WIDTH / (last - first), 0.5 * (first + last));
+    if !(scale > 0.0 && scale.is_finite()) {
+        return Err(few());
     }
-    drawing.section.presses(&mut picture);
-    drawing.interfaces(&mut picture);
-    drawing.pressures(&mut picture);
-    picture.fitted()
+    let (mut drawing, note) = Drawing::new(scene, stack, solution, [scale, middle]);
+    let displaced = Displaced::new(profile, &drawing.numbers())?;
+    let thick: Vec<f64> = drawing.heights.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let times = times.map_or_else(|| Ok(displaced.times(scale, &thick)), |times| displaced.seen(times, scale))?;
+    drawing.displace(&displaced, times, &profile.x);
+    let notes = [Some(displaced.note(times)), note];
+    Ok(drawing.draw(&notes.into_iter().flatten().collect::<Vec<_>>()))
+}
+
+fn few() -> PlotError {
+    PlotError::Empty("the faces need two places".to_owned())
 }
 
 /// A stack with its places in the drawing: the top face lies at height 0.
@@ -90,9 +115,79 @@ struct Drawing<'a> {
     heights: Vec<f64>,
     /// Height at which the base ends.
     bottom: f64,
+    /// The upper and the lower face of each layer.
+    faces: Vec<[Outline; 2]>,
+    /// Whether displacements are drawn.
+    is_displaced: bool,
 }
 
-impl Drawing<'_> {
+impl<'a> Drawing<'a> {
+    /// A stack at rest, so many points to a length, and which x is in the middle; and a note on heights that are not to scale.
+    fn new(
+        scene: &'a Scene,
+        stack: &'a Stack,
+        solution: &'a Solution,
+        [scale, middle]: [f64; 2],
+    ) -> (Self, Option<String>) {
+        let layers: Vec<&Placed> = stack.groups().flat_map(|group| Group::layers(&group)).collect();
+        let mut depth = 0.0;
+        let below = layers.iter().filter_map(|placed| placed.layer.thickness()).map(|thickness| {
+            depth += thickness;
+            depth
+        });
+        let depths = DrawnDepths::new([0.0].into_iter().chain(below).collect(), scale, [0.0, HIGHEST]);
+        let is_ground = stack.base().foundation().half_plane().is_none();
+        let base = if is_ground { None } else { Some(depths.height() + BASE) };
+        let heights: Vec<f64> = depths.knots.iter().map(|(_, height)| *height).chain(base).collect();
+        let drawing = Self {
+            section: Section::new(scene, solution, scale, 0.5 * WIDTH - scale * middle),
+            stack,
+            closed: solution.closed(),
+            is_ground,
+            layers,
+            middle,
+            bottom: base.unwrap_or(depths.height() + GROUND),
+            faces: heights.windows(2).map(|pair| [level(pair[0]), level(pair[1])]).collect(),
+            heights,
+            is_displaced: false,
+        };
+        (drawing, depths.note())
+    }
+
+    fn draw(&mut self, notes: &[String]) -> Picture {
+        let mut picture = Picture::new(WIDTH, HIGHEST);
+        self.layers(&mut picture);
+        for (i, note) in notes.iter().enumerate() {
+            picture.text((0.0, self.bottom + 8.0 + APART * i as f64), note, SMALL, INK, Anchor::Left);
+        }
+        self.section.presses(&mut picture);
+        self.interfaces(&mut picture);
+        self.pressures(&mut picture);
+        picture.fitted()
+    }
+
+    /// Moves the faces so many times as far as they are displaced at places along x, and the lower end of the drawing below them.
+    fn displace(&mut self, displaced: &Displaced, times: f64, xs: &[f64]) {
+        let up = times * self.section.scale;
+        let places: Vec<f64> = xs.iter().map(|x| self.section.x(*x)).collect();
+        let moved = |y: f64, heights: &[f64]| places.iter().zip(heights).map(|(x, v)| (*x, y - up * v)).collect();
+        for (pair, (faces, heights)) in self.faces.iter_mut().zip(displaced.faces.iter().zip(self.heights.windows(2))) {
+            *pair = [0, 1].map(|k| moved(heights[k], &faces[k]));
+        }
+        let lowest = |face: &Outline| face.iter().map(|(_, y)| *y).fold(f64::MIN, f64::max);
+        let room = if self.is_ground { GROUND } else { BASE };
+        self.bottom = self.faces.iter().flatten().map(|face| lowest(face) + room).fold(self.bottom, f64::max);
+        if !self.is_ground
+            && let Some([_, lower]) = self.faces.last_mut()
+        {
+            lower.iter_mut().for_each(|(_, y)| *y = self.bottom);
+        }
+        self.section.top = self.faces.first().map_or(level(0.0), |[upper, _]| upper.clone());
+        let lower = displaced.punches.as_deref().unwrap_or_default();
+        self.section.punches = Some(moved(0.0, lower));
+        self.is_displaced = true;
+    }
+
     /// The shear modulus of a layer at its upper face, in its middle and at its lower face, or as deep as a half-plane is drawn.
     fn moduli(&self, placed: &Placed) -> [f64; 3] {
         [0.0, 0.5, 1.0].map(|part| self.modulus(placed, part))
@@ -104,32 +199,46 @@ impl Drawing<'_> {
         placed.layer.material(depth, self.section.scene.geometry.plane()).shear_compliance.recip()
     }
 
+    /// Young's modulus where [`Self::moduli`] are, of an isotropic layer of which the scene gives it.
+    fn young(&self, placed: &Placed) -> Option<[f64; 3]> {
+        let is_given = placed.layer.notation().parameters.contains("young: ");
+        let deep = placed.layer.thickness().unwrap_or(BASE / self.section.scale);
+        let at = |part: f64| {
+            let material = placed.layer.material(part * deep, Plane::Strain);
+            let [poisson, _] = material.out_of_plane.filter(|_| is_given && material.is_isotropic())?;
+            Some(2.0 * (1.0 + poisson) / material.shear_compliance)
+        };
+        Some([at(0.0)?, at(0.5)?, at(1.0)?])
+    }
+
     /// The layers from the top down, light where they are soft and darker where they are stiff by orders of magnitude, with what they are
     /// called at their right.
     fn layers(&self, picture: &mut Picture) {
         let stiffness = Scale::around(self.layers.iter().flat_map(|placed| self.moduli(placed))).logarithmic();
         let mut labels = Vec::new();
-        for (placed, ends) in self.layers.iter().zip(self.heights.windows(2)) {
-            let (top, height) = (ends[0], ends[1] - ends[0]);
-            let slices = if self.varies(placed) { ((height / SLICE) as usize).clamp(1, SLICES) } else { 1 };
+        for (placed, [upper, lower]) in self.layers.iter().zip(&self.faces) {
+            let slices = if self.varies(placed) { self.slices(upper, lower) } else { 1 };
             for slice in 0..slices {
                 let part = |slice: f64| slice / slices as f64;
                 let share = stiffness.share(self.modulus(placed, part(slice as f64 + 0.5)));
                 let grey = (244.0 - 46.0 * share.clamp(0.0, 1.0)) as u8;
                 // down to the bottom, so that no line remains between slices
-                let from = top + height * part(slice as f64);
-                picture.rectangle((0.0, from), (WIDTH, ends[1]), Colour { r: grey, g: grey, b: grey });
+                let below = |(x, y): &(f64, f64)| (*x, y + (height_at(lower, *x) - y) * part(slice as f64));
+                let outline = upper.iter().map(below).chain(lower.iter().rev().copied());
+                picture.area(&outline.collect::<Vec<_>>(), Colour { r: grey, g: grey, b: grey });
             }
-            labels.push((top + 0.5 * height, self.name(placed)));
+            labels.push((0.5 * (height_at(upper, WIDTH) + height_at(lower, WIDTH)), self.name(placed)));
         }
         if self.is_ground {
-            let lowest = self.heights[self.heights.len() - 1];
+            let lowest = self.bottom - GROUND;
             hatching(picture, lowest);
             let support = self.stack.base().foundation().support().map(|(_, support)| support.notation());
             let name = support.map(|notation| format!("{}, {}", notation.kind, notation.parameters));
             labels.push((lowest + 0.5 * GROUND, name.unwrap_or("rigid".to_owned())));
         }
-        labels.extend(self.gaps(picture));
+        if !self.is_displaced {
+            labels.extend(self.gaps(picture));
+        }
         section::labels(picture, labels, Anchor::Left, [0.0, self.bottom], "layers");
     }
 
@@ -155,17 +264,32 @@ impl Drawing<'_> {
             let Some(Contact { interface, .. }) = found.map(|i| &self.section.contacts[i]) else { continue };
             draw(&|x| gaps.height(*interface, x), *y, "gap");
         }
-        for own in self.closed {
-            let Interface::Between { above, .. } = own.interface else { continue };
-            let face = numbers.iter().position(|number| *number == above).map(|layer| layer + 1);
-            face.iter().for_each(|face| draw(&|x| own.gap(x), self.heights[*face], "opening"));
+        for (face, y) in self.heights.iter().enumerate() {
+            self.closed_at(face).iter().for_each(|own| draw(&|x| own.gap(x), *y, "opening"));
         }
         labels
+    }
+
+    /// What weights press together at the upper face of a layer.
+    fn closed_at(&self, face: usize) -> Option<&ClosedInterface> {
+        let number = self.layers.get(face.checked_sub(1)?)?.number;
+        self.closed.iter().find(|own| matches!(own.interface, Interface::Between { above, .. } if above == number))
+    }
+
+    /// The places between which weights do not keep layers together there.
+    fn openings(&self, face: usize) -> Vec<[f64; 2]> {
+        let openings = self.closed_at(face).map_or(&[][..], |own| &own.openings);
+        openings.iter().map(|one| [one.left, one.right]).collect()
     }
 
     /// The numbers of the layers from the top down.
     fn numbers(&self) -> Vec<usize> {
         self.layers.iter().map(|placed| placed.number).collect()
+    }
+
+    /// In how many slices a layer is drawn whose stiffness varies.
+    fn slices(&self, upper: &Outline, lower: &Outline) -> usize {
+        ((height_at(lower, 0.0) - height_at(upper, 0.0)) / SLICE).clamp(1.0, SLICES as f64) as usize
     }
 
     fn varies(&self, placed: &Placed) -> bool {
@@ -177,7 +301,10 @@ impl Drawing<'_> {
     fn name(&self, placed: &Placed) -> String {
         let [stress, length] =
             [Dimension::STRESS, Dimension::LENGTH].map(|dimension| after(self.section.scene, dimension));
-        let [modulus, _, below] = self.moduli(placed).map(short);
+        let young = self.young(placed);
+        let moduli = self.moduli(placed);
+        let [modulus, _, below] = [0, 1, 2].map(|k| short(young.map_or(moduli[k], |young| young[k])));
+        let symbol = italic(if young.is_some() { "E" } else { "μ" });
         let number = index(placed.number);
         let thick = placed.layer.thickness();
         let (until, at) = match thick {
@@ -186,22 +313,37 @@ impl Drawing<'_> {
             None => (String::new(), " at its top"),
         };
         let thick = thick.map_or(String::new(), |h| format!("{}{number} = {}{length}, ", italic("h"), short(h)));
-        format!("{thick}{}{number} = {modulus}{until}{stress}{at}", italic("μ"))
+        format!("{thick}{symbol}{number} = {modulus}{until}{stress}{at}")
     }
 
     /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.
     fn interfaces(&self, picture: &mut Picture) {
         let (numbers, contacts) = (self.numbers(), self.section.contacts);
         let mut labels = Vec::new();
-        let faces = self.section.contacts_at(&numbers).into_iter().zip(&self.heights).enumerate();
-        for (face, (found, y)) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
+        let faces = self.section.contacts_at(&numbers).into_iter().enumerate();
+        for (face, found) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
             let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), contacts.len()) };
-            if self.is_ground && face == self.layers.len() {
-                self.section.interface(picture, None, *y, touching);
+            let is_last = face == self.layers.len();
+            let ground = is_last.then(|| level(self.bottom - GROUND));
+            if let Some(line) = &ground {
+                self.section.interface(picture, None, line, touching);
             }
-            labels.extend(self.section.interface(picture, found, *y, touching));
+            let lower = self.faces.get(face).map(|[upper, _]| upper).filter(|_| !is_last).or(ground.as_ref());
+            let upper = face.checked_sub(1).and_then(|above| self.faces.get(above)).map(|[_, lower]| lower);
+            // the lower one last, so that its colour is seen
+            let lines = upper.filter(|line| self.is_displaced && Some(*line) != lower).into_iter().chain(lower);
+            let openings = self.openings(face);
+            let mut label = None;
+            for line in lines {
+                match openings.is_empty() {
+                    true => label = self.section.interface(picture, found, line, touching),
+                    false => self.section.spans(picture, &openings, line, [dashed(), hair(INK)]),
+                }
+            }
+            labels.extend(label);
             let intervals = found.map_or(&[][..], |i| contacts[i].intervals());
             for x in intervals.iter().flat_map(|own| [own.left, own.right]).map(|end| self.section.x(end)) {
+                let y = lower.map_or(0.0, |line| height_at(line, x.clamp(0.0, WIDTH)));
                 picture.line(&[(x, y - 4.0), (x, y + 4.0)], Stroke { width: 1.2, ..touching });
             }
         }

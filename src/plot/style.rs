@@ -22,7 +22,7 @@ pub const BOLD: f64 = 1.6;
 
 /// Colours of the palette up to here are dark enough for lines on white.
 const DARK: f64 = 0.66;
-/// Areas are no darker than this, from 0 to 1, so that dark lines are seen on them.
+/// Areas of one sign are no darker than this, from 0 to 1, so that dark lines are seen on them.
 const DARKEST: f64 = 0.68;
 /// Areas of two signs are no darker than this, on both sides of zero.
 const DEEPEST: f64 = 0.82;
@@ -36,14 +36,63 @@ pub fn curve(index: usize, count: usize) -> Stroke {
     Stroke { colour: of_map(colorous::VIRIDIS, DARK * share), width: BOLD, dash: DASHES[index % DASHES.len()] }
 }
 
-/// A colour for an area, from light (0) to dark (1), brightness changing evenly: the map "magma" from its light end on.
-pub fn heat(share: f64) -> Colour {
-    of_map(colorous::MAGMA, 1.0 - DARKEST * share.clamp(0.0, 1.0))
+/// Colours of areas, whose brightness changes evenly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colours {
+    /// From light yellow to dark violet.
+    Magma,
+    /// From light yellow to dark green and blue.
+    Viridis,
+    /// From light yellow to dark blue, for the colour-blind.
+    Cividis,
+    /// From white to dark grey.
+    Greys,
+    /// Blue below zero, red above.
+    RedBlue,
+    /// Violet below zero, orange above.
+    PurpleOrange,
 }
 
-/// A colour for an area from -1, blue, through a neutral 0 to 1, red: equally dark on both sides.
-pub fn signed(share: f64) -> Colour {
-    if share == 0.0 { NEUTRAL } else { of_map(colorous::RED_BLUE, 0.5 - 0.5 * DEEPEST * share.clamp(-1.0, 1.0)) }
+impl Colours {
+    /// All of them, by their names.
+    pub const NAMED: [(&'static str, Self); 6] = [
+        ("magma", Self::Magma),
+        ("viridis", Self::Viridis),
+        ("cividis", Self::Cividis),
+        ("greys", Self::Greys),
+        ("red-blue", Self::RedBlue),
+        ("purple-orange", Self::PurpleOrange),
+    ];
+
+    /// The colours of this name.
+    ///
+    /// ```
+    /// use recede::plot::style::Colours;
+    /// assert_eq!(Colours::named("viridis"), Some(Colours::Viridis));
+    /// ```
+    pub fn named(name: &str) -> Option<Self> {
+        Self::NAMED.iter().find(|(own, _)| *own == name).map(|(_, colours)| *colours)
+    }
+
+    /// Whether they tell the sign of a value.
+    pub fn are_signed(self) -> bool {
+        matches!(self, Self::RedBlue | Self::PurpleOrange)
+    }
+
+    /// The colour of a part of the largest value: from light, 0, to dark, 1; of those that tell the sign from -1 through a neutral 0 to 1,
+    /// equally dark on both sides.
+    pub fn at(self, share: f64) -> Colour {
+        let (light, signed) = (1.0 - DARKEST * share.clamp(0.0, 1.0), 0.5 * DEEPEST * share.clamp(-1.0, 1.0));
+        match self {
+            _ if self.are_signed() && share == 0.0 => NEUTRAL,
+            Self::Magma => of_map(colorous::MAGMA, light),
+            Self::Viridis => of_map(colorous::VIRIDIS, light),
+            Self::Cividis => of_map(colorous::CIVIDIS, light),
+            Self::Greys => of_map(colorous::GREYS, 1.0 - light),
+            Self::RedBlue => of_map(colorous::RED_BLUE, 0.5 - signed),
+            Self::PurpleOrange => of_map(colorous::PURPLE_ORANGE, 0.5 - signed),
+        }
+    }
 }
 
 fn of_map(map: colorous::Gradient, share: f64) -> Colour {

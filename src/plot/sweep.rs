@@ -1,5 +1,5 @@
 //! A sweep as curves over one axis or as maps over two, one column for each contact: as far as it reaches above, its largest pressure below; or one for each of some columns of its table.
-use super::bands::Bands;
+use super::bands::{Bands, MapStyle};
 use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::file::PlotError;
 use super::names::{Dimension, of_contact, of_path, symbols, unit};
@@ -231,7 +231,7 @@ impl<'a> Layout<'a> {
         }
         let chart = self.chart(plane, self.scale(axes[1], self.most[1]), Vec::new());
         let scale = Scale::around(values.iter().copied()).of(&plane.label, plane.unit.clone());
-        let bands = Bands::new(scale, None);
+        let bands = Bands::new(scale, None, &MapStyle::default());
         bands.draw(picture, [&xs, &ys], &values, |place| chart.place(place));
         chart.draw(picture);
         let Frame { right, top, bottom, .. } = chart.frame;
