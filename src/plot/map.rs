@@ -67,7 +67,7 @@ pub fn map_with(
     let points = || grids.iter().flat_map(|grid| grid.points());
     let over = |pick: fn(&FieldPoint) -> f64| Scale::around(points().map(pick));
     let (x, depth) = (over(|point| point.x), over(|point| point.depth).ends());
-    let along = scene.geometry.words().along;
+    let along = scene.coordinates().along();
     if grids.is_empty() || grids.iter().any(|grid| grid.xs().len() < 2) {
         return Err(PlotError::Empty(format!("a map needs two places along {along} and two depths")));
     }
@@ -328,7 +328,7 @@ impl Map<'_> {
         let scene = self.section.scene;
         let (_, dimension) = names::of_quantity(self.quantity, scene.coordinates());
         let [stress, length] = [dimension, Dimension::LENGTH].map(|dimension| after(scene, dimension));
-        let along = italic(scene.geometry.words().along);
+        let along = italic(scene.coordinates().along());
         let mut notes = Vec::new();
         if let Some(Largest { point: (x, depth, layer), value, what, overall }) = &self.largest {
             let mark = match (overall, self.shows(*x, *depth)) {

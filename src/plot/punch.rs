@@ -23,6 +23,9 @@ const ARROWS: f64 = 13.0;
 impl Section<'_> {
     /// Punches or loads with their forces.
     pub(super) fn presses(&self, picture: &mut Picture) {
+        if self.force == 0.0 {
+            return;
+        }
         let mut names = of_top(self.scene);
         let unit = after(self.scene, self.scene.force_dimension());
         let force = format!("{} = {}{unit}", italic("P"), short(self.scene.force.given().unwrap_or(self.force)));
@@ -213,7 +216,7 @@ mod tests {
         let scene = format!("Scene(geometry: PlaneStrain, punches: [{punches}], stack: [Rigid])");
         let scene = Scene::from_ron(&scene).unwrap();
         let mut picture = Picture::new(340.0, 100.0);
-        let (contacts, symbols, top) = (&[][..], Vec::new(), level(0.0));
+        let (contacts, symbols, top) = (Default::default(), Vec::new(), level(0.0));
         Section { scene: &scene, force: 1.0, contacts, symbols, scale: 20.0, middle: 170.0, top, punches: None }
             .presses(&mut picture);
         assert!(picture.is_finite());

@@ -1,4 +1,6 @@
 //! Parts of all pictures of a stack: interfaces with their contacts, labels beside them, and the hatching of the rigid ground.
+use std::borrow::Cow;
+
 use super::chart::beside;
 use super::letters::width;
 use super::names::{reach, symbols};
@@ -59,7 +61,7 @@ pub(super) struct Section<'a> {
     pub(super) scene: &'a Scene,
     pub(super) force: f64,
     /// From the top down; a punch is drawn as deep as it touches.
-    pub(super) contacts: &'a [Contact],
+    pub(super) contacts: Cow<'a, [Contact]>,
     /// The symbols of their half-lengths and pressures.
     pub(super) symbols: Vec<(String, String)>,
     /// Points per length.
@@ -74,7 +76,7 @@ pub(super) struct Section<'a> {
 
 impl<'a> Section<'a> {
     pub(super) fn new(scene: &'a Scene, solution: &'a Solution, scale: f64, middle: f64) -> Self {
-        let (force, contacts) = (solution.force(), solution.contacts());
+        let (force, contacts) = (solution.force(), solution.side_view());
         let symbols = symbols(contacts.iter().map(|contact| contact.interface));
         Self { scene, force, contacts, symbols, scale, middle, top: level(0.0), punches: None }
     }

@@ -318,7 +318,7 @@ impl<'a> Drawing<'a> {
 
     /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.
     fn interfaces(&self, picture: &mut Picture) {
-        let (numbers, contacts) = (self.numbers(), self.section.contacts);
+        let (numbers, contacts) = (self.numbers(), &self.section.contacts);
         let mut labels = Vec::new();
         let faces = self.section.contacts_at(&numbers).into_iter().enumerate();
         for (face, found) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
@@ -352,8 +352,12 @@ impl<'a> Drawing<'a> {
 
     /// The pressures over x, below the contacts where they act: in parts of their largest, if these are very different.
     fn pressures(&self, picture: &mut Picture) {
-        let Section { scene, contacts, scale, ref symbols, .. } = self.section;
+        let Section { scene, ref contacts, scale, ref symbols, .. } = self.section;
         let (count, half) = (contacts.len(), 0.5 * WIDTH / scale);
+        // nothing but weights press
+        if count == 0 {
+            return;
+        }
         let curves: Vec<Vec<Vec<(f64, f64)>>> = contacts.iter().map(|contact| pressure(scene, contact)).collect();
         // an infinite pressure is drawn as far as its curve goes
         let peaks: Vec<f64> = curves.iter().map(|curves| highest(curves)).collect();
@@ -379,7 +383,7 @@ impl<'a> Drawing<'a> {
             let points = parts.iter().flat_map(|part| part.iter().copied().chain([(f64::NAN, f64::NAN)]));
             Curve { points: points.map(|(x, p)| (x, p / unit)).collect(), stroke: curve(i, count), label }
         });
-        let (top, along) = (self.bottom + PRESSURES[1], italic(scene.geometry.words().along));
+        let (top, along) = (self.bottom + PRESSURES[1], italic(scene.coordinates().along()));
         let chart = Chart {
             frame: Frame { left: 0.0, top, right: WIDTH, bottom: top + PRESSURES[0] },
             x: Scale::around([self.middle - half, self.middle + half]).of(&along, unit(scene, Dimension::LENGTH)),

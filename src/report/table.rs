@@ -29,7 +29,9 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         _ => writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?,
     }
 
-    writeln!(out, "{}", contacts(report, [length, stress, line_load]))?;
+    if solution.force() > 0.0 {
+        writeln!(out, "{}", contacts(report, [length, stress, line_load]))?;
+    }
     notes(report, [length, stress, line_load], out)?;
     closed(report, [length, stress, line_load], out)?;
     for Collocated { interface, residual, pressure_difference, nodes } in report.collocated.unwrap_or_default() {
