@@ -1,6 +1,6 @@
 //! Loads about axes of their own at several places (x, y): what each of them does alone is added up.
 //!
-//! Goal: numbers of a published program; one load is what it is about its axis; moved, turned and mirrored scenes have moved, turned and mirrored fields; strains follow
+//! Goal: numbers of a published program; one load has the field about its axis; moved, turned and mirrored scenes have moved, turned and mirrored fields; strains follow
 //! from stresses by Hooke's law; what cannot be added up is refused.
 use recede::{Coordinates, FieldError, FieldPoint, FieldQuantity, Model, Scene, SpacePoint};
 
@@ -92,7 +92,7 @@ fn one_load_is_what_it_is_about_its_axis() {
             for (found, expected) in displacement.into_iter().zip([0.6 * of("u_r"), 0.8 * of("u_r"), sunk]) {
                 assert!((found - expected).abs() < 1e-9 * sunk.abs(), "{load} {depth}: {found} {expected}");
             }
-            // the largest of all three principal values, not of those of the vertical plane alone
+            // the largest of all three principal values, not of the two in the vertical plane alone
             let principal = [along.principal()[0], along.principal()[1], hoop];
             let [largest, smallest] = [f64::max, f64::min].map(|pick| principal.into_iter().reduce(pick).unwrap());
             close(found.principal()[0], largest, 1e-8);

@@ -1,4 +1,4 @@
-"""Tables for notebooks."""
+"""Tables and drawings for notebooks."""
 
 from __future__ import annotations
 
@@ -18,6 +18,11 @@ def _text(cell: Any) -> str:
     if cell is None:
         return ""
     return f"{cell:.8g}" if isinstance(cell, float) else str(cell)
+
+
+def drawing(text: str) -> str:
+    """A drawing made of letters."""
+    return f'<pre style="line-height: 1.2">{escape(text)}</pre>'
 
 
 def solution(found: Any) -> str:

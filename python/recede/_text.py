@@ -78,6 +78,9 @@ class Stack:
         """ "PlaneStrain", "PlaneStress" or "Axisymmetric"."""
         return self._geometry
 
+    def _repr_html_(self) -> str | None:
+        return self._scene._repr_html_(top=False)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Stack) and (self._items, self._geometry) == (other._items, other._geometry)
 

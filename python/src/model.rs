@@ -139,6 +139,10 @@ impl Model {
         Ok((py.import("recede._text")?.getattr("model")?, (scene, slf.get().many)))
     }
 
+    fn _repr_html_(&self, py: Python<'_>) -> PyResult<String> {
+        scene::drawing(py, self.solver.model.stack(), None)
+    }
+
     fn __repr__(&self) -> String {
         let recede::Scene { geometry, stack, .. } = &self.solver.scene;
         let items: Vec<&str> = stack.iter().map(recede::Item::name).collect();

@@ -11,6 +11,9 @@ use crate::solution::Solution;
 use crate::solver::Solver;
 use crate::source::{Functions, Source};
 
+/// Columns of a drawing in a notebook, at most.
+const COLUMNS: usize = 100;
+
 /// What is pressed by what: a stack, a punch or a load, and a force.
 ///
 /// Args:
@@ -277,12 +280,28 @@ impl Scene {
         }
     }
 
+    /// The drawing of `recede check`, for notebooks, which show the text of the scene where it cannot be drawn.
+    #[pyo3(signature = (*, top=true))]
+    fn _repr_html_(&self, py: Python<'_>, top: bool) -> PyResult<Option<String>> {
+        let Ok(stack) = self.inner.stack().map_err(|error| self.source.failed(py, &error)) else { return Ok(None) };
+        let recede::Scene { top: pressed, force, geometry, .. } = &self.inner;
+        let label = top.then(|| format!("{}, {}", pressed.label(*geometry), force.label(*geometry)));
+        drawing(py, &stack, label.as_deref()).map(Some)
+    }
+
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
         if self.source.has_functions() {
             return Ok(format!("<Scene {} with layers that are functions>", self.inner.title()));
         }
-        py.import("recede._text")?.call_method1("scene_repr", (self.inner.to_json(),))?.extract()
+        let found = py.import("recede._text")?.call_method1("scene_repr", (self.inner.to_json(),));
+        // a stack whose items do not fit together is no object
+        found.map_or_else(|_| Ok(self.inner.to_ron()), |text| text.extract())
     }
+}
+
+/// A stack, and what is written on what presses if anything does, as HTML.
+pub fn drawing(py: Python<'_>, stack: &recede::Stack, label: Option<&str>) -> PyResult<String> {
+    py.import("recede._html")?.call_method1("drawing", (stack.drawing(label, Some(COLUMNS)),))?.extract()
 }
 
 /// A punch or load as the library knows it; kept by the object of Python for the geometry in which it was used.

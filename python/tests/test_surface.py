@@ -43,6 +43,16 @@ def test_notebooks_show_the_picture_with_the_table(solution):
     assert html.startswith("<table>") and 'src="data:image/svg+xml;base64,' in html and "punch" in html
 
 
+def test_notebooks_show_drawings_of_what_is_not_solved(stack, scene):
+    assert "receding 1|2" in stack._repr_html_() and "Cylinder" not in stack._repr_html_()
+    assert Model(scene)._repr_html_() == Model(stack)._repr_html_() == stack._repr_html_() == scene.stack._repr_html_()
+    assert "Cylinder(radius: 500.0), force 0.002" in scene._repr_html_() and "receding 1|2" in scene._repr_html_()
+    assert "a function" in Stack([recede.FunctionLayer(1.0, lambda depth: (1.0, 0.3)), Receding(), Rigid()])._repr_html_()
+    # what cannot be drawn is shown by its text
+    wrong = Scene.from_ron("Scene(geometry: PlaneStrain, punch: Parabola(radius: 1.0), force: 1.0, stack: [Receding, Rigid])")
+    assert wrong._repr_html_() is None and repr(wrong) == wrong.to_ron()
+
+
 def test_pressures_and_gaps_at_no_place_are_nan(solution):
     x = np.array([[0.0, math.nan], [math.nan, 2.0]])
     for contact in solution.contacts:

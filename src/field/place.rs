@@ -20,7 +20,7 @@ pub struct Point {
 pub struct SpacePoint {
     /// Along the layers, in length.
     pub x: f64,
-    /// Along the layers, too, in length; 0 in all fields but those of loads at several places (x, y).
+    /// Along the layers, too, in length; 0 unless loads press at several places (x, y).
     pub y: f64,
     /// Below the top face of the stack, in length.
     pub depth: f64,

@@ -27,7 +27,7 @@ const SAME: f64 = 1e-6;
 /// Where a quantity is infinite, this part of the points may lie above the colours, and as many below: half as much hides less
 /// and leaves the colours to a few points next to the singular one.
 const BEYOND: f64 = 0.01;
-/// Values have one sign if those of the other are smaller than this part of the largest; zero belongs to their colours if the
+/// Values have one sign if values of the other one are smaller than this part of the largest; zero belongs to their colours if the
 /// smallest is smaller than that part; logarithmic colours begin at that part.
 const OTHER_SIGN: f64 = 0.005;
 const NEAR_ZERO: f64 = 0.5;

@@ -257,7 +257,7 @@ pub(super) fn check_force(scene: &Scene, origin: &Origin) -> Result<(), SceneErr
     Err(origin.explained(&origin.tree, THE_SCENE, None, ReadError { field: Some("force".to_owned()), ..error }))
 }
 
-/// Whether neither a force is given nor what it is found for.
+/// Whether neither a force is given nor a length from which it is found.
 fn is_unloaded(draft: &Draft) -> bool {
     draft.force.is_none_or(|force| force.get() == 0.0) && draft.half_length.is_none() && draft.depth.is_none()
 }

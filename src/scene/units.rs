@@ -238,18 +238,23 @@ pub(super) fn without_units(scene: &mut Node, origin: &Origin) -> Result<(), Sce
     let of_numbers = fields.iter_mut().filter(|field| !matches!(&*field.name, "name" | "description" | "units"));
     for Entry { name, value, .. } in of_numbers {
         // numbers of punches that say nothing else are lengths: heights and places in tables
-        let own = if &**name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) };
-        let dimension = own.or(matches!(&**name, "punch" | "punches").then_some(Dimension::LENGTH));
-        convert(value, dimension, units.as_ref(), origin)?;
+        let dimension = of_field(name, is_round);
+        let dimension = dimension.or(matches!(&**name, "punch" | "punches").then_some(Dimension::LENGTH));
+        convert(value, dimension, (units.as_ref(), is_round), origin)?;
     }
     Ok(())
+}
+
+/// The dimension of a field of this name: forces are whole forces about an axis.
+fn of_field(name: &str, is_round: bool) -> Option<Dimension> {
+    if name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) }
 }
 
 /// Converts the numbers with a unit within a value, which are to be measured in `dimension` unless their field says more.
 fn convert(
     node: &mut Node,
     dimension: Option<Dimension>,
-    units: Option<&Units>,
+    (units, is_round): (Option<&Units>, bool),
     origin: &Origin,
 ) -> Result<(), SceneError> {
     let is_row = node.name.is_none() && matches!(node.kind, Kind::Row(_));
@@ -263,14 +268,14 @@ fn convert(
         }
         Kind::Fields(fields) => {
             for Entry { name, value, .. } in fields {
-                convert(value, Dimension::of_field(name).or(dimension), units, origin)?;
+                convert(value, of_field(name, is_round).or(dimension), (units, is_round), origin)?;
             }
         }
         Kind::List(members) | Kind::Row(members) => {
             for (index, member) in members.iter_mut().enumerate() {
                 // of the rows of a table, the first number is a place
                 let dimension = if is_row && index == 0 { Some(Dimension::LENGTH) } else { dimension };
-                convert(member, dimension, units, origin)?;
+                convert(member, dimension, (units, is_round), origin)?;
             }
         }
         Kind::Nothing | Kind::Number(_) => {}
