@@ -75,6 +75,12 @@ fn a_window_holds_what_is_large_of_a_quantity() {
             };
             let outside = largest(whole, &|point| !holds(window, point.x, point.depth));
             let inside = largest(window, &|_| true);
+            let tension = |point: &recede::FieldPoint| quantity != FieldQuantity::SigmaXy && quantity.of(point) > 0.0;
+            let [beyond, within] = [
+                largest(whole, &|point| tension(point) && !holds(window, point.x, point.depth)),
+                largest(window, &tension),
+            ];
+            assert!(beyond <= within.max(0.006 * inside), "{} {quantity:?}: {beyond} {within}", scene.title());
             assert!(outside < 0.5 * inside, "{} {quantity:?}: {window:?} {outside} {inside}", scene.title());
         }
     }

@@ -225,6 +225,13 @@ impl FieldQuantity {
         self as usize > Self::V as usize
     }
 
+    /// Whether it is a normal stress or strain, positive in tension.
+    pub(crate) fn is_tensile(self) -> bool {
+        let others =
+            [Self::SigmaXy, Self::Sigma2, Self::MaxShear, Self::VonMises, Self::U, Self::V, Self::GammaXy, Self::Eps2];
+        !others.contains(&self)
+    }
+
     /// Whether it needs what a material may not tell of the direction out of the plane.
     pub(crate) fn is_out_of_plane(self) -> bool {
         matches!(self, Self::SigmaZz | Self::VonMises | Self::EpsZz)

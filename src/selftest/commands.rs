@@ -214,7 +214,11 @@ fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) ->
     let stack = crate::plot::stack(scene, model.stack(), solution);
     let grids = step("field", field.by_layer(&xs, &depths))?;
     let map = step("map", crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear))?;
-    for (name, picture) in [("stack", stack), ("map", map)] {
+    let profile = step("profile", model.profile(&scene.top, solution, &xs))?;
+    // displacements under a line load on a half-plane are infinite
+    let deformed = crate::plot::deformed(scene, model.stack(), solution, &profile, None).ok();
+    let deformed = deformed.map(|picture| ("deformed stack", picture));
+    for (name, picture) in [("stack", stack), ("map", map)].into_iter().chain(deformed) {
         if let Some(fault) = picture.faults().first() {
             return Err(format!("the picture of the {name}: {fault}"));
         }
