@@ -2,7 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::field::{FULL, FaceProfile, FaceSide, Field, FieldError};
-use crate::geometry::Geometry;
+use crate::geometry::Coordinates;
 use crate::scene::Top;
 use crate::solution::{ClosedInterface, Contact, Interface, Interval, Solution};
 use crate::stack::Stack;
@@ -13,8 +13,8 @@ const BEYOND: f64 = 2.0;
 /// Pressures, gaps, displacements and slopes at places along x; made by [`Model::profile`](crate::Model::profile).
 #[derive(Clone, Debug)]
 pub struct FaceProfiles {
-    /// The geometry of the stack, by which displacements are named.
-    pub geometry: Geometry,
+    /// The coordinates by which displacements are named; under loads at several places (x, y) the profile lies in the plane y = 0.
+    pub coordinates: Coordinates,
     /// The places x, in length.
     pub x: Vec<f64>,
     /// Each contact from the top down, the punch first.
@@ -70,10 +70,13 @@ pub fn profile_places(solution: &Solution, to: Option<f64>, count: usize) -> Vec
 
 /// The profile of a solution at places along x.
 pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) -> Result<FaceProfiles, FieldError> {
-    if !solution.axes().is_empty() {
-        return Err(FieldError::Superposed);
-    }
     let field = Field::new(stack, solution);
+    let coordinates = field.coordinates();
+    if !solution.axes().is_empty() {
+        let pressure = x.iter().map(|x| solution.load_at([*x, 0.0])).collect();
+        let contacts = vec![ContactProfile { interface: Interface::Punch, pressure, gap: None }];
+        return Ok(FaceProfiles { coordinates, x: x.to_vec(), contacts, faces: field.faces(x, &FULL)? });
+    }
     // two places more in each contact, under each punch, between which its gap is none: bodies may have turned against each other
     let each: Vec<Vec<Contact>> = solution.contacts().iter().map(Contact::of_each_punch).collect();
     let mut places = x.to_vec();
@@ -99,7 +102,7 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
     }
     faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
     contacts.extend(solution.closed().iter().filter_map(|own| closed(own, &faces, x)));
-    Ok(FaceProfiles { geometry: stack.geometry(), x: x.to_vec(), contacts, faces })
+    Ok(FaceProfiles { coordinates, x: x.to_vec(), contacts, faces })
 }
 
 /// An interface that weights press together.

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use recede::plot::{self, Colours, MapStyle, Picture};
-use recede::{Field, FieldQuantity, Grid, Model, Scene, Solution};
+use recede::{Coordinates, Field, FieldQuantity, Grid, Model, Scene, Solution};
 use support::{recede, texts};
 
 const SCENE: &str = "examples/scenes/strip_fgm_half_plane.ron";
@@ -33,7 +33,9 @@ fn map(scene: &Scene, quantity: FieldQuantity, style: &MapStyle) -> Picture {
 fn examples() -> impl Iterator<Item = Scene> {
     let folders = ["examples/scenes", "examples/axisymmetric"];
     let files = folders.into_iter().flat_map(|folder| fs::read_dir(folder).unwrap());
-    files.map(|entry| Scene::read(entry.unwrap().path()).unwrap())
+    let scenes = files.map(|entry| Scene::read(entry.unwrap().path()).unwrap());
+    // where nothing is searched for the largest stress of all
+    scenes.filter(|scene| scene.coordinates() != Coordinates::Cartesian)
 }
 
 fn scene(text: &str) -> Scene {
@@ -75,6 +77,12 @@ fn a_window_holds_what_is_large_of_a_quantity() {
             };
             let outside = largest(whole, &|point| !holds(window, point.x, point.depth));
             let inside = largest(window, &|_| true);
+            let tension = |point: &recede::FieldPoint| quantity != FieldQuantity::SigmaXy && quantity.of(point) > 0.0;
+            let [beyond, within] = [
+                largest(whole, &|point| tension(point) && !holds(window, point.x, point.depth)),
+                largest(window, &tension),
+            ];
+            assert!(beyond <= within.max(0.006 * inside), "{} {quantity:?}: {beyond} {within}", scene.title());
             assert!(outside < 0.5 * inside, "{} {quantity:?}: {window:?} {outside} {inside}", scene.title());
         }
     }

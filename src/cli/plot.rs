@@ -15,7 +15,7 @@ pub struct Page {
     /// Write a title above the picture: TEXT, or without it the name of the scene
     #[arg(long, value_name = "TEXT", num_args = 0..=1, require_equals = true, default_missing_value = "")]
     title: Option<String>,
-    /// Size of the page of a picture in points, which the picture fills unless there is a --font-size
+    /// Size of the page of a picture in points, of three pixels each in a PNG; the picture fills it unless there is a --font-size
     #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = size)]
     size: Option<(f64, f64)>,
     /// Size of the letters of a picture in points, 10 by default: all of it is enlarged

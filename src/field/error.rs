@@ -18,10 +18,8 @@ pub enum FieldError {
     /// The field was requested so far away, the farthest point at this distance from the middle, that it would take too many wavenumbers.
     #[error("a place {0:?} from the middle is too far from the contacts for the field to be computed there")]
     TooFar(f64),
-    /// Something was requested under loads at several places (x, y) that is known about one axis only: profiles, and where stresses are largest.
-    #[error(
-        "loads press at several places (x, y): profiles, and places where stresses are largest, are known about one axis only"
-    )]
+    /// Places where stresses are largest were requested under loads at several places (x, y).
+    #[error("loads press at several places (x, y): where stresses are largest is searched for about one axis only")]
     Superposed,
     /// A point with this y was requested of a field that has none.
     #[error("y = {0:?} is asked for; y other than 0 is for loads at several places (x, y) of an axisymmetric scene")]

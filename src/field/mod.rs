@@ -172,6 +172,7 @@ impl Field {
             pressure_error: 0.0,
             superposed: Superposed::new(stack, solution),
         };
+        field.is_even &= field.superposed.is_none();
         let interfaces = contacts.iter().map(|own| own.interface).chain(closed.iter().map(|own| own.interface));
         let apart = interfaces.zip(&field.joints);
         field.apart = apart.map(|(own, joint)| joint.map(|x| field.gaps.height(own, x + middle))).collect();

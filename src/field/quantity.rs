@@ -126,6 +126,21 @@ impl FieldQuantity {
         self as usize >= Self::EpsXx as usize
     }
 
+    /// Whether it is a normal stress or strain, positive in tension.
+    pub(crate) fn is_tensile(self) -> bool {
+        matches!(
+            self,
+            Self::SigmaXx
+                | Self::SigmaYy
+                | Self::SigmaZz
+                | Self::Sigma1
+                | Self::EpsXx
+                | Self::EpsYy
+                | Self::EpsZz
+                | Self::Eps1
+        )
+    }
+
     /// Whether it needs what a material may not tell of the direction out of the plane.
     pub(crate) fn is_out_of_plane(self) -> bool {
         matches!(self, Self::SigmaZz | Self::VonMises | Self::EpsZz)

@@ -1,5 +1,5 @@
 //! Where stresses are: what maps and tables show unless they are told.
-use super::{ContactPressure, Field, FieldError, FieldQuantity};
+use super::{ContactPressure, Field, FieldError, FieldPoint, FieldQuantity};
 
 /// How far a [`Field::window`] reaches beside the middle, and below the top face, in half-lengths of what presses; how far into a half-plane; and how far about openings, in parts of their distance.
 const BESIDE: f64 = 2.0;
@@ -11,6 +11,9 @@ const GROUND: f64 = 1.5;
 const APPRECIABLE: f64 = 0.15;
 const SINGULAR: f64 = 0.01;
 const MARGIN: f64 = 0.15;
+/// A tension is wanted in a window as far as it is larger than a part of the largest one, unless even that is less than a part of the largest magnitude.
+const TENSE: f64 = 0.5;
+const TENSION: f64 = 0.005;
 /// How often a window is narrowed, and how many points are looked at from one end of a contact to the next, and down.
 const ROUNDS: usize = 3;
 const ALONG: usize = 12;
@@ -18,7 +21,7 @@ const DOWN: usize = 24;
 
 impl Field {
     /// Where a quantity is appreciable, as [`Self::window`]: what presses on the top face, and all places of that window where the
-    /// quantity is larger than about a seventh of its largest value.
+    /// quantity is larger than about a seventh of its largest value, or a normal stress or strain than half the largest tension.
     ///
     /// ```
     /// use recede::{FieldQuantity, HalfPlane, Homogeneous, Model, Plane, Punch, Stack};
@@ -48,7 +51,11 @@ impl Field {
             values.retain(|value| value.is_finite());
             values.sort_by(f64::total_cmp);
             let Some(largest) = values.get(((1.0 - SINGULAR) * values.len() as f64) as usize) else { break };
-            let seen = points().filter(|point| quantity.of(point).abs() >= APPRECIABLE * largest);
+            let of = |point: &FieldPoint| quantity.of(point);
+            let tensions = points().map(of).filter(|value| quantity.is_tensile() && value.is_finite());
+            let tension = TENSE * tensions.fold(TENSION / TENSE * largest, f64::max);
+            let is_tense = |value: f64| quantity.is_tensile() && value >= tension;
+            let seen = points().filter(|point| of(point).abs() >= APPRECIABLE * largest || is_tense(of(point)));
             let mut wanted = [presses, depths];
             for point in seen {
                 let [x, depth] = &mut wanted;
@@ -60,6 +67,10 @@ impl Field {
                 *from = from.max(wanted[k][0] - margin[k]);
                 *to = to.min(wanted[k][1] + margin[k]);
             }
+            if self.is_even {
+                let half = 0.5 * (window[0][1] - window[0][0]);
+                window[0] = [self.middle - half, self.middle + half];
+            }
         }
         Ok(window)
     }
@@ -69,7 +80,8 @@ impl Field {
         let mirrored = if self.is_even { -1.0 } else { 1.0 };
         let ends = self.pressures.iter().take(1).flat_map(|pressure| &pressure.ends);
         let ends = ends.flat_map(|end| [*end, mirrored * end]);
-        let [from, to] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, r], end| [l.min(end), r.max(end)]);
+        let reach = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, r], end| [l.min(end), r.max(end)]);
+        let [from, to] = self.superposed_ends().unwrap_or(reach);
         [[from, to].map(|x| self.middle + x), [0.0, 0.25 * (to - from)]]
     }
 

@@ -183,6 +183,8 @@ mod tests {
         let (below, above) = (bands.colour(zero), bands.colour(zero + 1));
         assert!(below.b > below.r && above.r > above.b, "{below:?} {above:?}");
         assert_eq!(signed(0.0), NEUTRAL);
+        let [violet, orange] = [-1.0, 1.0].map(|share| Colours::PurpleOrange.at(share));
+        assert!(violet.b > violet.r && orange.r > orange.b, "{violet:?} {orange:?}");
         let grey = NEUTRAL.r.max(NEUTRAL.g).max(NEUTRAL.b) - NEUTRAL.r.min(NEUTRAL.g).min(NEUTRAL.b);
         assert!(grey < 8, "{NEUTRAL:?}");
         // equal values of both signs are equally dark

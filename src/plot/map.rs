@@ -20,6 +20,9 @@ const BEFORE_BAR: f64 = 12.0;
 /// Distance of lines of text below the map, and of the first from the map, in points.
 const LINE: f64 = 12.0;
 const BELOW: f64 = 46.0;
+/// Width of a contact, in points, and at most in parts of the height of a layer.
+const CONTACT: f64 = 2.4;
+const BETWEEN: f64 = 0.3;
 /// Where the arms of the cross begin and end that marks an extreme, in points from its place.
 const ARMS: [f64; 2] = [3.0, 8.5];
 /// Values that differ by less than this part are the same.
@@ -166,16 +169,6 @@ fn is_signed(quantity: FieldQuantity) -> bool {
     !matches!(quantity, FieldQuantity::MaxShear | FieldQuantity::VonMises)
 }
 
-/// How a quantity is called where it is positive, if it is a normal stress or strain.
-fn tensile(quantity: FieldQuantity) -> Option<&'static str> {
-    use FieldQuantity::{Eps1, EpsXx, EpsYy, EpsZz, Sigma1, SigmaXx, SigmaYy, SigmaZz};
-    match quantity {
-        SigmaXx | SigmaYy | SigmaZz | Sigma1 => Some("tension"),
-        EpsXx | EpsYy | EpsZz | Eps1 => Some("stretch"),
-        _ => None,
-    }
-}
-
 /// Whether a quantity is infinite somewhere on the face on which the punch presses, be it between the points of a grid.
 fn rises(scene: &Scene, solution: &Solution, quantity: FieldQuantity) -> bool {
     let infinite = solution.contacts().first().is_some_and(|contact| contact.peak().pressure.is_infinite());
@@ -224,7 +217,9 @@ impl Largest {
         let value = |point: &FieldPoint| quantity.of_in(point, scene.coordinates());
         let points = grids.iter().flat_map(|grid| grid.points());
         let is_tense = |point: &FieldPoint| value(point).is_finite() && value(point) > error;
-        let tension = tensile(quantity).filter(|_| grids.iter().flat_map(|grid| grid.points()).any(is_tense));
+        let name = if quantity.is_strain() { "stretch" } else { "tension" };
+        let has_tension = quantity.is_tensile() && grids.iter().flat_map(|grid| grid.points()).any(is_tense);
+        let tension = has_tension.then_some(name);
         let size = |point: &FieldPoint| if tension.is_some() { value(point) } else { value(point).abs() };
         // of two that are the same the one on the right, and the one above
         let finite = points.filter(|point| value(point).is_finite());
@@ -283,7 +278,7 @@ impl Map<'_> {
         if let Some(Largest { point: (x, depth, _), .. }) = self.largest
             && self.shows(x, depth)
         {
-            cross(&mut picture, self.chart.place((x, depth)));
+            cross(&mut picture, self.chart.place((x, depth)), &self.chart.frame);
         }
         let first = (bottom + BELOW + ground).max(lowest + LINE);
         for (i, line) in self.notes().iter().enumerate() {
@@ -298,7 +293,10 @@ impl Map<'_> {
         let Frame { top, bottom, .. } = self.chart.frame;
         let (first, last) = self.chart.y.ends();
         let height = |depth: f64| self.chart.place((0.0, depth.clamp(first, last))).1;
-        let touching = Stroke { colour: INK, width: 2.4, dash: None };
+        // not so wide that they hide thin layers
+        let thick = self.layers.iter().map(|(_, [from, to])| height(*to) - height(*from)).filter(|thick| *thick > 0.0);
+        let width = thick.fold(CONTACT, |width, thick| width.min(BETWEEN * thick));
+        let touching = Stroke { colour: INK, width, dash: None };
         let mut labels: Vec<(f64, String)> = Vec::new();
         for (number, [from, to]) in &self.layers {
             let [upper, lower] = [*from, *to].map(height);
@@ -339,9 +337,7 @@ impl Map<'_> {
                     format!("cross: largest{what} on the grid of this map")
                 }
             };
-            let (from, to) = self.chart.x.ends();
-            let x = if x.abs() < SAME * (to - from) { 0.0 } else { *x };
-            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(x), short(*depth));
+            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(*x), short(*depth));
             notes.push(format!("{mark}, {}{stress} {place}", short(*value)));
         }
         if self.clipped {
@@ -355,12 +351,13 @@ impl Map<'_> {
     }
 }
 
-/// A cross with an open middle, in which one sees what is there.
-fn cross(picture: &mut Picture, (x, y): (f64, f64)) {
+/// A cross with an open middle, in which one sees what is there, without arms that leave a frame.
+fn cross(picture: &mut Picture, (x, y): (f64, f64), frame: &Frame) {
+    let arms = [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)];
+    let arms = arms.map(|(right, down)| ARMS.map(|arm| (x + right * arm, y + down * arm)));
+    let holds = |(x, y): (f64, f64)| x > frame.left && x < frame.right && y > frame.top && y < frame.bottom;
     for stroke in [Stroke { colour: WHITE, width: 3.0, dash: None }, Stroke { colour: INK, width: 1.0, dash: None }] {
-        for (right, down) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-            picture.line(&ARMS.map(|arm| (x + right * arm, y + down * arm)), stroke);
-        }
+        arms.iter().filter(|arm| holds(arm[1])).for_each(|arm| picture.line(arm, stroke));
     }
 }
 

@@ -68,7 +68,16 @@ impl Section<'_> {
     /// All punches above their lower sides, with their forces.
     fn displaced(&self, punches: &Punches, lower: &[(f64, f64)], picture: &mut Picture) -> Option<f64> {
         let ceiling = self.ceiling();
-        for side in lower.split(|(_, y)| *y <= ceiling).filter(|side| side.len() > 1) {
+        // flanks end where they cross the ceiling
+        let crossing = |pair: &[(f64, f64)]| {
+            let share = (ceiling - pair[0].1) / (pair[1].1 - pair[0].1);
+            let is_crossed = (pair[0].1 > ceiling) != (pair[1].1 > ceiling) && share.abs() > 0.0 && share.is_finite();
+            is_crossed.then(|| (pair[0].0 + share * (pair[1].0 - pair[0].0), ceiling))
+        };
+        let crossings = lower.windows(2).map(crossing).chain([None]);
+        let points = lower.iter().zip(crossings).flat_map(|(point, crossing)| [*point].into_iter().chain(crossing));
+        let points: Vec<(f64, f64)> = points.collect();
+        for side in points.split(|(_, y)| *y < ceiling).filter(|side| side.len() > 1) {
             let corner = |end: usize| (side[end].0, ceiling);
             let ends = [corner(0), corner(side.len() - 1)];
             let body = ends[..1].iter().chain(side).chain(&ends[1..]).copied();

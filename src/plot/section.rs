@@ -111,10 +111,11 @@ impl<'a> Section<'a> {
         touching: Stroke,
     ) -> Option<(f64, String)> {
         let contact = found.map(|i| &self.contacts[i]);
-        let open = match contact.map(|contact| contact.interface) {
+        let mut open = match contact.map(|contact| contact.interface) {
             Some(Interface::Between { .. }) => dashed(),
             Some(Interface::Punch) | None => hair(INK),
         };
+        open.width = open.width.min(touching.width);
         let intervals = contact.map_or(&[][..], Contact::intervals);
         let ends: Vec<[f64; 2]> = intervals.iter().map(|Interval { left, right, .. }| [*left, *right]).collect();
         self.spans(picture, &ends, face, [touching, open]);

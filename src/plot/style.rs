@@ -90,7 +90,7 @@ impl Colours {
             Self::Cividis => of_map(colorous::CIVIDIS, light),
             Self::Greys => of_map(colorous::GREYS, 1.0 - light),
             Self::RedBlue => of_map(colorous::RED_BLUE, 0.5 - signed),
-            Self::PurpleOrange => of_map(colorous::PURPLE_ORANGE, 0.5 - signed),
+            Self::PurpleOrange => of_map(colorous::PURPLE_ORANGE, 0.5 + signed),
         }
     }
 }

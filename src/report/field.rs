@@ -150,7 +150,7 @@ pub fn profile_columns(profile: &FaceProfiles) -> Vec<(String, Vec<f64>)> {
             columns.push((format!("layer_{layer}_{side}_{what}"), points.iter().map(of).collect()));
         };
         for quantity in DISPLACEMENTS {
-            add(quantity.name_in(profile.geometry), &|point| quantity.of_in(point, profile.geometry));
+            add(quantity.name_in(profile.coordinates), &|point| quantity.of_in(point, profile.coordinates));
         }
         add("slope", &|point| point.slope);
     }

@@ -119,7 +119,7 @@ fn profile(scene: &Scene, model: &Model, solution: &Solution) -> Result<(), Stri
     let places = profile_places(solution, None, 40);
     let profile = match model.profile(&scene.top, solution, &places) {
         // next to a contact that is much shorter than another there are too many short waves
-        Err(FieldError::TooFar(_) | FieldError::Superposed) => return Ok(()),
+        Err(FieldError::TooFar(_)) => return Ok(()),
         profile => step("profile", profile)?,
     };
     // what is left out of an answer, and a warning tells of, may penetrate
@@ -185,10 +185,7 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
     let (top, axes) = (&solution.contacts()[0], solution.axes());
     let pressure = |point: &FieldPoint| match axes {
         [] => top.pressure(point.x),
-        _ => {
-            let at = |[x, y]: &[f64; 2]| (point.x - x).hypot(point.z - y);
-            solution.contacts().iter().zip(axes).map(|(contact, axis)| contact.pressure(at(axis))).sum()
-        }
+        _ => solution.load_at([point.x, point.z]),
     };
     for point in grid.points() {
         for quantity in FieldQuantity::ALL {
@@ -229,7 +226,11 @@ fn pictures(scene: &Scene, model: &Model, solution: &Solution, field: &Field) ->
     let stack = crate::plot::stack(scene, model.stack(), solution);
     let grids = step("field", field.by_layer(&xs, &depths))?;
     let map = step("map", crate::plot::map(scene, solution, field, &grids, FieldQuantity::MaxShear))?;
-    for (name, picture) in [("stack", stack), ("map", map)] {
+    let profile = step("profile", model.profile(&scene.top, solution, &xs))?;
+    // displacements under a line load on a half-plane are infinite
+    let deformed = crate::plot::deformed(scene, model.stack(), solution, &profile, None).ok();
+    let deformed = deformed.map(|picture| ("deformed stack", picture));
+    for (name, picture) in [("stack", stack), ("map", map)].into_iter().chain(deformed) {
         if let Some(fault) = picture.faults().first() {
             return Err(format!("the picture of the {name}: {fault}"));
         }

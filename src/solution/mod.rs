@@ -204,6 +204,12 @@ impl Solution {
         &self.rotations
     }
 
+    /// The pressure of loads about axes of their own at a place (x, y) of the top face.
+    pub(crate) fn load_at(&self, [x, y]: [f64; 2]) -> f64 {
+        let of = |(contact, axis): (&Contact, &[f64; 2])| contact.pressure((x - axis[0]).hypot(y - axis[1]));
+        self.contacts.iter().zip(&self.axes).map(of).sum()
+    }
+
     /// The places (x, y) of the axes of loads about axes of their own, each of which is a contact about its axis; none of all that else presses.
     pub fn axes(&self) -> &[[f64; 2]] {
         &self.axes
