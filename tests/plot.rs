@@ -353,14 +353,12 @@ fn sweeps_are_fit_to_print_and_mark_what_is_missing() {
 #[test]
 fn every_interval_of_every_contact_is_drawn() {
     for scene in examples() {
-        let intervals = |solution: &recede::Solution| {
-            // two wheels, one of them behind the other
-            let count = if solution.axes().is_empty() { solution.contacts().len() } else { 1 };
-            solution.contacts()[..count].iter().map(|contact| contact.intervals().len()).sum::<usize>()
-        };
         let solution = recede::solve(&scene).unwrap();
+        // two wheels, one of them behind the other
+        let count = if solution.axes().is_empty() { solution.contacts().len() } else { 1 };
+        let intervals: usize = solution.contacts()[..count].iter().map(|contact| contact.intervals().len()).sum();
         let svg = stack(&scene).svg();
-        assert_eq!(svg.matches("stroke-width=\"3\"").count(), intervals(&solution), "{}", scene.title());
+        assert_eq!(svg.matches("stroke-width=\"3\"").count(), intervals, "{}", scene.title());
     }
 }
 
