@@ -30,6 +30,7 @@ Examples:
   recede sweep scene.ron --vary depth=0.01:0.1:10 --approach --out depths.csv
   recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
   recede sweep scene.ron --vary depth=1:9:9 --plot p.svg --x depth --y force
+  recede sweep scene.ron --vary force=1:9:9 --plot p.svg --log x,y
   recede sweep scene.ron --vary force=1:10:10 --at 0,0.2@1=eps_xx
   recede sweep scene.ron --rows samples.csv --out results.csv
   recede sweep scene.ron --set layer[1].thickness=2 --vary force=1:10:10
@@ -58,11 +59,21 @@ pub struct SweepArguments {
     /// Draw them over this column rather than over the axis with most values: `--x approach --y force`
     #[arg(long, value_name = "NAME", requires = "y")]
     x: Option<String>,
+    /// Axes on which equal ratios, not equal differences, are equally far apart: `--log x`, `--log y` or `--log x,y`
+    #[arg(long, value_name = "x,y", value_delimiter = ',', requires = "plot")]
+    log: Vec<Direction>,
     #[command(flatten)]
     page: Page,
     /// Threads that compute [default: one for each processor]
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
+}
+
+/// An axis of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Direction {
+    X,
+    Y,
 }
 
 impl SweepArguments {
@@ -135,6 +146,7 @@ impl SweepArguments {
         Ok(DrawnColumns {
             along: self.x.as_ref().map(column).transpose()?,
             up: self.y.iter().map(column).collect::<Result<_, Failure>>()?,
+            logarithmic: [Direction::X, Direction::Y].map(|direction| self.log.contains(&direction)),
         })
     }
 

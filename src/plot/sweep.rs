@@ -4,7 +4,7 @@ use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::file::PlotError;
 use super::names::{Dimension, of_contact, of_path, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke};
-use super::scale::{Scale, distinct};
+use super::scale::{Scale, distinct, short};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
 use crate::axis::Axis;
 use crate::solution::Contact;
@@ -28,6 +28,8 @@ const FEWEST: usize = 6;
 const MOST: usize = 100;
 /// Most contacts that have a column.
 const CONTACTS: usize = 6;
+/// Most points of a curve that are marked: more are dense.
+const MARKED: usize = 25;
 /// Values of equal ratio over at least such a range are drawn so.
 const WIDE: f64 = 8.0;
 
@@ -38,6 +40,8 @@ pub struct DrawnColumns {
     pub along: Option<(usize, String)>,
     /// The columns that are drawn, each in a plane of its own.
     pub up: Vec<(usize, String)>,
+    /// Whether equal ratios, not equal differences, are equally far apart along x, and along y.
+    pub logarithmic: [bool; 2],
 }
 
 /// The axes of the planes of a picture, and the size of a plane.
@@ -76,14 +80,15 @@ pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
 /// [are not drawn](is_drawn) may be left out.
 ///
 /// # Errors
-/// [`PlotError::Empty`] if no axis has two values.
+/// [`PlotError::Empty`] if no axis has two values; [`PlotError::Drawing`] if a value is not positive where ratios are to be equally far apart.
 pub fn sweep(sweep: &Sweep, points: &[SweepPoint], columns: &DrawnColumns) -> Result<Picture, PlotError> {
     let empty = || PlotError::Empty("a curve needs a quantity that takes two values".into());
     let layout = Layout::of(sweep, points, columns).ok_or_else(empty)?;
-    let families = layout.families();
+    let (families, planes) = (layout.families(), layout.planes());
+    layout.check_ratios(&planes)?;
     let mut picture = Picture::new(layout.size[0], layout.size[1]);
     let mut jumping = false;
-    for plane in &layout.planes() {
+    for plane in &planes {
         let frame = layout.frame(plane.place);
         let middle = 0.5 * (frame.left + frame.right);
         picture.text((middle, frame.top - HEADING), &plane.what, TEXT, INK, Anchor::Centre);
@@ -192,11 +197,36 @@ impl<'a> Layout<'a> {
         (name, unit(self.sweep.scene(), dimension))
     }
 
+    /// The number of the column along x.
+    fn column(&self) -> usize {
+        self.columns.along.as_ref().map_or(self.along, |(column, _)| *column)
+    }
+
+    /// Refuses values that are not positive where ratios are to be equally far apart.
+    fn check_ratios(&self, planes: &[SweepPlane]) -> Result<(), PlotError> {
+        let [along, up] = self.columns.logarithmic;
+        // of maps an axis, of curves what they show
+        let columns = planes.iter().filter(|_| up).map(|plane| self.up.unwrap_or(plane.column));
+        for column in columns.chain(along.then(|| self.column())) {
+            if let Some(value) = self.points.iter().map(|point| number(point, column)).find(|value| *value <= 0.0) {
+                let message =
+                    format!("logarithmic axes need values > 0, found {}: leave out --log there", short(value));
+                return Err(PlotError::Drawing(message));
+            }
+        }
+        Ok(())
+    }
+
+    /// The scale of a column along x, 0, or along y, 1.
+    fn values(&self, column: usize, direction: usize) -> Scale {
+        let scale = Scale::around(self.points.iter().map(|point| number(point, column)));
+        if self.columns.logarithmic[direction] { scale.logarithmic() } else { scale.rounded() }
+    }
+
     fn chart(&self, plane: &SweepPlane, y: Scale, curves: Vec<Curve>) -> Chart {
         let x = match &self.columns.along {
-            Some((column, name)) => {
-                Scale::around(self.points.iter().map(|point| number(point, *column))).rounded().of(name, None)
-            }
+            Some((column, name)) => self.values(*column, 0).of(name, None),
+            None if self.columns.logarithmic[0] => self.scale(self.along, self.most[0]).logarithmic(),
             None => self.scale(self.along, self.most[0]),
         };
         Chart { frame: self.frame(plane.place), x, y, curves, labels: Labels::AtEnds }
@@ -229,7 +259,9 @@ impl<'a> Layout<'a> {
                 values[line * xs.len() + column] = number(point, plane.column);
             }
         }
-        let chart = self.chart(plane, self.scale(axes[1], self.most[1]), Vec::new());
+        let y = self.scale(axes[1], self.most[1]);
+        let y = if self.columns.logarithmic[1] { y.logarithmic() } else { y };
+        let chart = self.chart(plane, y, Vec::new());
         let scale = Scale::around(values.iter().copied()).of(&plane.label, plane.unit.clone());
         let bands = Bands::new(scale, None, &MapStyle::default());
         bands.draw(picture, [&xs, &ys], &values, |place| chart.place(place));
@@ -241,7 +273,7 @@ impl<'a> Layout<'a> {
     /// Curves with marks; whether one of them jumps.
     fn curves(&self, picture: &mut Picture, plane: &SweepPlane, families: &[(String, Vec<usize>)]) -> bool {
         let is_labelled = plane.place[0] == self.last() && families.len() > 1;
-        let along = self.columns.along.as_ref().map_or(self.along, |(column, _)| *column);
+        let along = self.column();
         let place = |point: &SweepPoint| (number(point, along), number(point, plane.column));
         let gap = (f64::NAN, f64::NAN);
         let (mut curves, mut jumping) = (Vec::new(), false);
@@ -257,9 +289,14 @@ impl<'a> Layout<'a> {
             curves.push(Curve { points, stroke: curve(i, families.len()), label });
             curves.push(Curve { points: over, stroke: dotted, label: String::new() });
         }
-        let y = Scale::around(self.points.iter().map(|point| place(point).1)).rounded();
+        let y = self.values(plane.column, 1);
         let chart = self.chart(plane, y.of(&plane.label, plane.unit.clone()), curves);
         chart.draw(picture);
+        for (i, (_, rows)) in families.iter().enumerate().filter(|(_, (_, rows))| rows.len() <= MARKED) {
+            let places = rows.iter().map(|row| chart.place(place(&self.points[*row])));
+            let stroke = Stroke { dash: None, ..curve(i, families.len()) };
+            places.filter(|(x, y)| x.is_finite() && y.is_finite()).for_each(|place| picture.circle(place, 1.2, stroke));
+        }
         for point in self.points {
             let (x, y) = chart.place(place(point));
             if point.warned && y.is_finite() {
