@@ -152,3 +152,30 @@ fn any_columns_are_drawn() {
     assert!(status == Some(2) && message.contains("the table has no column of numbers `sigma_yy_at_0_1`"), "{message}");
     assert!(message.contains("punch_half_length"), "{message}");
 }
+
+/// Numbers with units vary as in the units of the scene, and entries of tables by their rows; axes of pictures may be logarithmic.
+#[test]
+fn axes_have_units_and_logarithms() {
+    let swept = |file: &str, vary: &str, options: &[&str]| {
+        let run = recede(&[&["sweep", file, "--vary", vary], options].concat(), b"");
+        (run.status, run.stdout, run.stderr)
+    };
+    let soil = "examples/gallery/slab_on_soil.ron";
+    let [plain, other] =
+        ["[0.2, 0.25]", "[20 cm, 250 mm]"].map(|list| swept(soil, &format!("layer[1].thickness={list}"), &[]));
+    assert_eq!((plain.0, &plain.1), (Some(0), &other.1), "{} {}", plain.2, other.2);
+    let (status, _, message) = swept(soil, "layer[1].thickness=[20 kN]", &[]);
+    assert!(status == Some(2) && message.contains("is a force"), "{message}");
+    // the value of the second row, and its place
+    let graded = "examples/scenes/graded_by_a_table.ron";
+    for path in ["layer[1].shear_modulus[2]=[1.6, 1.7]", "layer[1].shear_modulus[2].at=[0.1, 0.12]"] {
+        let (status, table, message) = swept(graded, path, &[]);
+        assert!(status == Some(0) && table.lines().count() == 3, "{message}");
+    }
+    let picture = table("logarithmic.svg", "");
+    let picture = picture.to_str().unwrap();
+    let (status, _, message) = swept(SCENE, "force=0.001:0.1:5", &["--plot", picture, "--log", "x,y"]);
+    assert_eq!((status, &message[..]), (Some(0), ""));
+    let (status, _, message) = swept(SCENE, "layer[2].beta=[-1,1]", &["--plot", picture, "--log", "x"]);
+    assert!(status == Some(2) && message.contains("logarithmic axes need values > 0, found −1"), "{message}");
+}
