@@ -112,7 +112,11 @@ fn numbers_of_punches_vary_by_the_order_in_which_they_are_written() {
         "punches[2].force",
         "punches[2].tilt",
     ];
-    assert_eq!(scene.paths()[..paths.len()], paths);
+    // besides the entries of the table
+    let of_table = |path: &String| path.contains("shape[");
+    let found: Vec<String> = scene.paths().into_iter().filter(|path| !of_table(path)).collect();
+    assert_eq!(found[..paths.len()], paths);
+    assert!(scene.paths().contains(&"punches[2].shape[2].at".to_owned()));
     let json = Scene::from_json(&scene.to_json()).unwrap();
     assert_eq!(json.number("punches[1].tilt").unwrap(), 0.01);
     for (k, path) in paths.into_iter().enumerate() {
