@@ -16,16 +16,20 @@ use std::f64::consts::PI;
 use num_complex::Complex64;
 
 use crate::contact::{self, ContactError};
-use crate::field::{ContactPressure, FieldError};
+use crate::field::{ContactPressure, DISPLACEMENTS, Field, FieldError, FieldPoint};
 use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Gap, Pressed, Punch, Punches, Shape, Top};
-use crate::solution::{Contact, Interface, Solution};
+use crate::solution::{Contact, Interface, Interval, Solution};
 use crate::stack::Stack;
 
 /// Two means need not be those in which most is missing.
 const SAFETY: f64 = 3.0;
+/// Places at which a punch and the top face are compared where layers that weights press together come apart.
+const PLACES: usize = 8;
+/// Relative error of displacements of the top face inside the stack, the sums of which end at a small part of the pressure.
+const SUMMED: f64 = 1e-10;
 /// Relative error of a sum over wavenumbers.
 const ROUNDING: f64 = 1e-12;
 /// Waves of which no mean has more than this are left out.
@@ -137,6 +141,34 @@ pub(crate) fn of_each(
         }
         Err(error) => vec![Err(error)],
     }
+}
+
+/// The approach of each punch from the displacements of the top face, where layers that weights press together come apart; stiffnesses are not computed then.
+pub(crate) fn with_openings(top: &Top, stack: &Stack, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
+    let all = match punches(top, stack) {
+        Ok(punches) => punches.parts().zip(solution.contacts()[0].of_each_punch()).enumerate(),
+        Err(error) => return vec![Err(error)],
+    };
+    let field = Field::new(stack, solution);
+    let of = |(number, ((pressed, _), contact)): (usize, ((&Pressed, f64), Contact))| {
+        let Interval { left, right, .. } = contact.innermost();
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+        let place = |k: usize| middle + half * (PI * (k as f64 + 0.5) / PLACES as f64).cos();
+        let places: Vec<f64> = (0..PLACES).map(place).collect();
+        let faces = field.faces(&places, &DISPLACEMENTS)?;
+        let (shape, tilt) = (pressed.shape().shape(), solution.punches().get(number).map_or(0.0, |own| own.tilt));
+        // the same at all places, but for errors
+        let sunk = |(x, point): (&f64, &FieldPoint)| {
+            let from_tip = x - pressed.at();
+            shape.height(from_tip) + tilt * from_tip - shape.lowest() - point.v
+        };
+        let sunk: Vec<f64> = places.iter().zip(&faces[0].points).map(sunk).collect();
+        let value = sunk.iter().sum::<f64>() / PLACES as f64;
+        let spread = largest(sunk.iter().map(|own| (own - value).abs()));
+        let error = SAFETY * (spread + (SUMMED + relative_error(solution, true)) * value.abs());
+        Ok(Approach { value, error, stiffness: Stiffness::NotComputed })
+    };
+    all.map(of).collect()
 }
 
 /// The approach and the stiffness of the punch, if there is no other one.

@@ -317,8 +317,17 @@ impl Model {
     /// several punches;
     /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
-        self.check_closed(solution)?;
-        approach::approach(&top.into(), self.solved(), &self.kernel, solution)
+        let top = &top.into();
+        match self.check_closed(solution) {
+            Err(FieldError::Openings) => {
+                approach::defined(top, &self.stack)?;
+                approach::with_openings(top, &self.stack, solution).swap_remove(0)
+            }
+            closed => {
+                closed?;
+                approach::approach(top, self.solved(), &self.kernel, solution)
+            }
+        }
     }
 
     /// The approach of each punch, from left to right, also of punches that are several, turned or not at x = 0: how far its tip has moved down since the
@@ -340,6 +349,7 @@ impl Model {
     pub fn approaches(&self, top: impl Into<Top>, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
         match self.check_closed(solution) {
             Ok(()) => approach::of_each(&top.into(), self.solved(), &self.kernel, solution),
+            Err(FieldError::Openings) => approach::with_openings(&top.into(), &self.stack, solution),
             Err(error) => vec![Err(error.into())],
         }
     }

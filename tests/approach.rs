@@ -248,3 +248,37 @@ fn a_punch_that_may_turn_sinks_as_far_as_one_that_has_no_reason_to() {
         }
     }
 }
+
+/// Where weights let layers come apart, the approach goes on from the one below the critical force, and tends to the one of layers without weight.
+#[test]
+fn openings_do_not_stop_the_approach() {
+    let scene = |weight: f64, force: f64| {
+        let text = format!(
+            "Scene(geometry: PlaneStrain, punch: Parabola(radius: 1000), force: {force:?}, stack: [
+            Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: {weight:?}), Receding, Rigid])"
+        );
+        Scene::from_ron(&text).unwrap()
+    };
+    let sunk = |weight: f64, force: f64| {
+        let scene = scene(weight, force);
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        let found = model.approach(&scene.top, &solution).unwrap();
+        assert_eq!(model.approaches(&scene.top, &solution), [Ok(found)]);
+        let is_open = solution.closed().iter().any(|own| !own.openings.is_empty());
+        assert!(found.error < 1e-8 * found.value, "{found:?}");
+        let critical = model.separation(&scene.top, &solution).unwrap().map(|own| own.critical_force);
+        (found.value, is_open, critical)
+    };
+    let force = 1e-3;
+    let (alone, _, _) = sunk(0.0, force);
+    // the more weight, the less the punch sinks
+    let found = [1e-6, 1e-7, 1e-8, 1e-9].map(|weight| sunk(weight, force));
+    assert!(found.iter().all(|(_, is_open, _)| *is_open));
+    let less = found.map(|(value, ..)| alone - value);
+    assert!(less.windows(2).all(|pair| pair[1] > 0.0 && pair[1] < 0.7 * pair[0]), "{less:?} {alone}");
+    // just below and just above the critical force
+    let critical = found[0].2.unwrap();
+    let [(below, closed, _), (above, open, _)] = [1.0 - 1e-5, 1.0 + 1e-5].map(|part| sunk(1e-6, part * critical));
+    assert!(!closed && open && above > below && above / below - 1.0 < 3e-5, "{below} {above}");
+}

@@ -24,10 +24,8 @@ pub enum FieldError {
     /// A point with this y was requested of a field that has none.
     #[error("y = {0:?} is asked for; y other than 0 is for loads at several places (x, y) of an axisymmetric scene")]
     NoSpace(f64),
-    /// An approach or a check by collocation was requested where layers that weights press together come apart.
-    #[error(
-        "layers that weights press together come apart, and neither approaches nor checks by collocation are told then"
-    )]
+    /// A check by collocation was requested where layers that weights press together come apart.
+    #[error("layers that weights press together come apart, and checks by collocation are not made then")]
     Openings,
     /// The field was requested for the solution of another stack.
     #[error("the solution is of another stack than the model: its pressures do not belong to these layers")]

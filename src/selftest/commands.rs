@@ -67,8 +67,6 @@ fn reports(scene: &Scene, model: &Model, solution: &Solution, field: &Field) -> 
     let approaches = model.approaches(&scene.top, solution);
     for approach in &approaches {
         match approach {
-            // approaches are not told where layers come apart
-            Err(ApproachError::Field(FieldError::Openings)) => {}
             Err(ApproachError::Field(error)) => return Err(format!("approach: {error}")),
             // the tip of a turned punch may rise
             Ok(found)
