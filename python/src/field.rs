@@ -26,7 +26,7 @@ impl Field {
         Self { inner, solver: Arc::clone(solver) }
     }
 
-    /// The fields on a grid, in arrays with a row for each of so many depths.
+    /// The fields on a grid, in arrays with a row for each depth, of which the number is given.
     fn arrays<'py>(&self, py: Python<'py>, grid: &Grid, depths: usize) -> PyResult<Bound<'py, PyAny>> {
         let shape = (depths, grid.xs().len());
         let columns = self.columns(py, grid.points())?;

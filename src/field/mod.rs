@@ -126,7 +126,7 @@ impl Field {
         let gaps = stack.gaps().dents();
         // dents are about x = 0
         let is_at_middle = |middle: &f64| *middle == 0.0 || solution.closed().is_empty() || gaps.0.is_empty();
-        let about = solution.about().filter(is_at_middle);
+        let about = solution.about().filter(is_at_middle).filter(|_| solution.axes().is_empty());
         let (is_even, middle) = (about.is_some(), about.unwrap_or(0.0));
         let contacts = solution.contacts();
         // interfaces that come apart, counted from the middle
@@ -172,7 +172,6 @@ impl Field {
             pressure_error: 0.0,
             superposed: Superposed::new(stack, solution),
         };
-        field.is_even &= field.superposed.is_none();
         let interfaces = contacts.iter().map(|own| own.interface).chain(closed.iter().map(|own| own.interface));
         let apart = interfaces.zip(&field.joints);
         field.apart = apart.map(|(own, joint)| joint.map(|x| field.gaps.height(own, x + middle))).collect();

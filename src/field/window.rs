@@ -6,7 +6,7 @@ const BESIDE: f64 = 2.0;
 const AROUND: f64 = 1.1;
 const BELOW: f64 = 3.0;
 const GROUND: f64 = 1.5;
-/// A quantity is appreciable where it is larger than this part of its largest value, but for so many of the points that may be larger
+/// A quantity is appreciable where it is larger than this part of its largest value, but for this part of all points, which may be larger
 /// next to singular ones; and how much wider than that a window is.
 const APPRECIABLE: f64 = 0.15;
 const SINGULAR: f64 = 0.01;

@@ -60,7 +60,7 @@ impl Displaced {
         self.faces.iter().flatten().flatten().map(|v| v.abs()).fold(0.0, f64::max)
     }
 
-    /// A factor with which displacements fit on a page, at so many points to a length.
+    /// A factor with which displacements fit on a page, from the scale in points per length.
     pub(super) fn seen(&self, times: f64, scale: f64) -> Result<f64, PlotError> {
         let most = HIGHEST / (scale * self.largest());
         let allowed = label(rounded_down(most));
@@ -68,7 +68,7 @@ impl Displaced {
         if times <= most { Ok(times) } else { Err(refused()) }
     }
 
-    /// A round factor with which displacements are seen, and layers of these heights in points remain, at so many points to a length.
+    /// A round factor with which displacements are seen, and layers of these heights in points remain, from the scale in points per length.
     pub(super) fn times(&self, scale: f64, heights: &[f64]) -> f64 {
         let thinner = |[upper, lower]: &[Vec<f64>; 2]| {
             upper.iter().zip(lower).map(|(upper, lower)| lower - upper).fold(0.0, f64::max)
@@ -88,7 +88,7 @@ impl Displaced {
     }
 }
 
-/// Heights of a face; for those that are infinite, under line loads and beyond gaps, the ones next to them.
+/// Heights of a face; in place of an infinite height, under a line load or beyond a gap, the next finite one.
 fn known(mut heights: Vec<f64>) -> Result<Vec<f64>, PlotError> {
     let first = heights.iter().copied().find(|v| v.is_finite()).ok_or_else(|| {
         let from = "a line load presses on the place from which they are counted";

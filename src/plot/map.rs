@@ -35,7 +35,7 @@ const BEYOND: f64 = 0.01;
 const OTHER_SIGN: f64 = 0.005;
 const NEAR_ZERO: f64 = 0.5;
 const DECADES: f64 = 1e-3;
-/// Where a quantity is infinite, a tension smaller than so many times the largest one in colours is not one next to a singular point.
+/// Where a quantity is infinite, a tension smaller than this multiple of the largest one in colours is not one next to a singular point.
 const WITHIN: f64 = 1.5;
 
 /// A quantity on grids that reach the faces of the layers, see [`Field::by_layer`], as bands of colour, with the interfaces, contacts

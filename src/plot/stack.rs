@@ -55,7 +55,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
 /// The stack of a solved scene as [`stack`] draws it, but with its faces displaced: a profile along its faces between the first and
 /// the last of its places.
 ///
-/// Displacements across the layers, gaps and the profiles of punches are drawn so many times as large as lengths along the layers, by
+/// Displacements across the layers, gaps and the profiles of punches are drawn larger than lengths along the layers by a factor, by
 /// default so that they are seen well: the picture says how many times. They are counted from the rigid base, and in a stack on a half-plane from the ends of its top
 /// face in the picture. Displacements along the layers are left out, so that bodies touch in the drawing where they touch.
 ///
@@ -73,7 +73,7 @@ pub fn stack(scene: &Scene, stack: &Stack, solution: &Solution) -> Picture {
 ///
 /// # Errors
 /// [`PlotError::Empty`] if there are fewer than two places, or displacements are infinite: a line load presses on x = 0 of a half-plane,
-/// from where they are counted. [`PlotError::Drawing`] if they are drawn so much larger that they do not fit on a page.
+/// from where they are counted. [`PlotError::Drawing`] if the factor is so large that they do not fit on a page.
 pub fn deformed(
     scene: &Scene,
     stack: &Stack,
@@ -122,7 +122,7 @@ struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    /// A stack at rest, so many points to a length, and which x is in the middle; and a note on heights that are not to scale.
+    /// A stack at rest, from the scale in points per length and which x is in the middle; and a note on heights that are not to scale.
     fn new(
         scene: &'a Scene,
         stack: &'a Stack,
@@ -166,7 +166,7 @@ impl<'a> Drawing<'a> {
         picture.fitted()
     }
 
-    /// Moves the faces so many times as far as they are displaced at places along x, and the lower end of the drawing below them.
+    /// Moves the faces as far as they are displaced at places along x, times a factor, and the lower end of the drawing below them.
     fn displace(&mut self, displaced: &Displaced, times: f64, xs: &[f64]) {
         let up = times * self.section.scale;
         let places: Vec<f64> = xs.iter().map(|x| self.section.x(*x)).collect();

@@ -24,13 +24,11 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     }
     let digits = Digits(*digits);
     let force = digits.with_error(solution.force(), solution.force_error());
-    match solution.force() {
-        0.0 => writeln!(out, "no load")?,
-        _ => writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?,
-    }
-
     if solution.force() > 0.0 {
+        writeln!(out, "{}, force {force}{line_load}", scene.top.label(scene.geometry))?;
         writeln!(out, "{}", contacts(report, [length, stress, line_load]))?;
+    } else {
+        writeln!(out, "no load")?;
     }
     notes(report, [length, stress, line_load], out)?;
     closed(report, [length, stress, line_load], out)?;
