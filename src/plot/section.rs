@@ -7,7 +7,7 @@ use super::names::{reach, symbols};
 use super::picture::{Anchor, Picture, Stroke};
 use super::style::{FAINT, INK, SMALL, hair};
 use crate::scene::Scene;
-use crate::solution::{Contact, Interface, Interval, Solution};
+use crate::solution::{Contact, Interface, Interval, Solution, Strip};
 
 /// Distance of the strokes of the ground, and how far they reach down, in points.
 const APART: f64 = 9.0;
@@ -56,6 +56,29 @@ fn part(outline: &[(f64, f64)], from: f64, to: f64) -> Outline {
     [end(from)].into_iter().chain(inside).chain([end(to)]).collect()
 }
 
+/// The contacts as they are seen along y: loads about axes of their own as one, of those behind each other the nearest to y = 0.
+fn side_view(solution: &Solution) -> Cow<'_, [Contact]> {
+    let mut all: Vec<(&Contact, &[f64; 2])> = solution.contacts.iter().zip(&solution.axes).collect();
+    all.sort_by(|(_, [_, a]), (_, [_, b])| a.abs().total_cmp(&b.abs()));
+    let mut seen: Vec<Contact> = Vec::new();
+    for (contact, [x, _]) in all {
+        let contact = contact.clone().moved(*x);
+        let [left, right] = contact.ends();
+        if seen.iter().map(Contact::ends).all(|[from, to]| right <= from || left >= to) {
+            seen.push(contact);
+        }
+    }
+    seen.sort_by(|a, b| a.ends()[0].total_cmp(&b.ends()[0]));
+    let Some(first) = seen.first() else {
+        // without a load there is none
+        return solution.contacts.iter().filter(|contact| contact.resultant != 0.0).cloned().collect();
+    };
+    let (intervals, strips) = seen.iter().map(|own| (own.intervals.clone(), own.strips.clone())).unzip();
+    let (intervals, strips): (Vec<Vec<Interval>>, Vec<Vec<Strip>>) = (intervals, strips);
+    let none = [0.0; 2];
+    vec![Contact::new(first.interface, intervals.concat(), strips.concat(), None, none, Vec::new())].into()
+}
+
 /// A section through a stack in a drawing that reaches from 0 to its [`WIDTH`], with the top face of the stack at height 0.
 pub(super) struct Section<'a> {
     pub(super) scene: &'a Scene,
@@ -76,7 +99,7 @@ pub(super) struct Section<'a> {
 
 impl<'a> Section<'a> {
     pub(super) fn new(scene: &'a Scene, solution: &'a Solution, scale: f64, middle: f64) -> Self {
-        let (force, contacts) = (solution.force(), solution.side_view());
+        let (force, contacts) = (solution.force(), side_view(solution));
         let symbols = symbols(contacts.iter().map(|contact| contact.interface));
         Self { scene, force, contacts, symbols, scale, middle, top: level(0.0), punches: None }
     }

@@ -8,7 +8,6 @@ mod strip;
 mod warning;
 
 use std::any::Any;
-use std::borrow::Cow;
 use std::fmt;
 use std::sync::Arc;
 
@@ -213,29 +212,6 @@ impl Solution {
     /// The places (x, y) of the axes of loads about axes of their own, each of which is a contact about its axis; none of all that else presses.
     pub fn axes(&self) -> &[[f64; 2]] {
         &self.axes
-    }
-
-    /// The contacts as they are seen along y: loads about axes of their own as one, of those behind each other the nearest to y = 0.
-    pub(crate) fn side_view(&self) -> Cow<'_, [Contact]> {
-        let mut all: Vec<(&Contact, &[f64; 2])> = self.contacts.iter().zip(&self.axes).collect();
-        all.sort_by(|(_, [_, a]), (_, [_, b])| a.abs().total_cmp(&b.abs()));
-        let mut seen: Vec<Contact> = Vec::new();
-        for (contact, [x, _]) in all {
-            let contact = contact.clone().moved(*x);
-            let [left, right] = contact.ends();
-            if seen.iter().map(Contact::ends).all(|[from, to]| right <= from || left >= to) {
-                seen.push(contact);
-            }
-        }
-        seen.sort_by(|a, b| a.ends()[0].total_cmp(&b.ends()[0]));
-        let Some(first) = seen.first() else {
-            // without a load there is none
-            return self.contacts.iter().filter(|contact| contact.resultant != 0.0).cloned().collect();
-        };
-        let (intervals, strips) = seen.iter().map(|own| (own.intervals.clone(), own.strips.clone())).unzip();
-        let (intervals, strips): (Vec<Vec<Interval>>, Vec<Vec<Strip>>) = (intervals, strips);
-        let none = [0.0; 2];
-        vec![Contact::new(first.interface, intervals.concat(), strips.concat(), None, none, Vec::new())].into()
     }
 
     /// The contacts from the top down: the punch first.
