@@ -7,6 +7,7 @@ pub(crate) mod closed;
 pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
+mod pieces;
 pub(crate) mod placed;
 pub(crate) mod profile;
 pub(crate) mod rows;

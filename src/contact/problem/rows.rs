@@ -2,15 +2,14 @@
 //!
 //! On x = m + w s, s = cos θ, the tests are polynomials C_k of one family with C_k(1) = 1: in the plane T_k(s) dθ, about an axis P_k(s) sin θ dθ.
 //! What is tested is the slope f', and about an axis A'(t), A(t) = t ∫ f'(r)/√(t² − r²) dr from 0 to t: with r = t sin φ it is ∫ (r f')' dφ from
-//! 0 to π/2. Powers of |x| about x = 0 have closed forms, and so have polynomials in the plane, piece by piece. All else is
+//! 0 to π/2. Powers of |x| about x = 0 have closed forms, and so have polynomials, piece by piece (`pieces.rs`). All else is
 //! integrated by Gauss rules from one place to the next where the profile is not smooth; towards the ends of a circle in the plane from one place to another twice as far from there.
 use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use num_complex::Complex64;
-
 use crate::contact::problem::accuracy::ROUNDING;
-use crate::contact::problem::modes::{alternating, order};
+use crate::contact::problem::modes::order;
+use crate::contact::problem::pieces;
 use crate::contact::problem::profile::{PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::quadrature::rule;
@@ -49,13 +48,11 @@ impl Slopes {
         }
     }
 
-    /// Adds pieces between which the profile is not smooth to the rows of an interval in the plane, whose middle and half-length are in the unit of the scene. At the start of each,
-    /// x = b, begins J_0 + J_1 y + J_2 y² more of the slope, y = x − b, and ∫ (cos θ − cos θ_b)^n cos kθ dθ from 0 to θ_b is a sum of sin(jθ_b)/j with j from
-    /// k − n to k + n.
+    /// Adds pieces between which the profile is not smooth to the rows of an interval whose middle and half-length are in the unit of the scene. At
+    /// the start of each, x = b, begins J_0 + J_1 y + J_2 y² more of the slope, y = x − b.
     fn add_pieces(&mut self, pieces: &[Piece], Span { middle, half, step }: Span, force: f64) {
         let first = if step == 2 { 0.0 } else { middle - half };
         let mut before: Option<&Piece> = None;
-        let mut sines = vec![0.0; step * self.rows.len() + 3];
         let after = pieces.iter().skip(1).map(|piece| piece.start).chain([f64::INFINITY]);
         let all = pieces.iter().zip(after).filter(|(_, end)| *end > first).map(|(piece, _)| piece);
         for piece in all.take_while(|piece| piece.start < middle + half) {
@@ -64,20 +61,13 @@ impl Slopes {
             let new = piece.slopes(start);
             let [j0, j1, j2]: [f64; 3] = from_fn(|n| (new[n] - old[n]) * half.powi(n as i32) / force);
             let begins = step == 1 && start == first;
-            let cos = if begins { -1.0 } else { (start - middle) / half };
-            let turn = Complex64::new(cos, ((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt());
-            sines[0] = turn.arg();
-            let mut wave = Complex64::ONE;
-            for (j, sine) in sines.iter_mut().enumerate().skip(1) {
-                wave *= turn;
-                *sine = wave.im / j as f64;
-            }
-            for (m, row) in self.rows.iter_mut().enumerate() {
-                let (k, times) = if step == 2 { (2 * m + 1, 2.0 * alternating(m)) } else { (m, 1.0) };
-                let (own, next) = (sines[k], sines[k.abs_diff(1)] + sines[k + 1]);
-                let linear = 0.5 * next - cos * own;
-                let square = 0.5 * own + 0.25 * (sines[k.abs_diff(2)] + sines[k + 2]) - cos * next + cos * cos * own;
-                *row += times * (j0 * own + j1 * linear + j2 * square);
+            let s = if begins { -1.0 } else { (start - middle) / half };
+            let rows = match self.twin {
+                Twin::Plane => pieces::plane(s, step, self.rows.len()),
+                Twin::Round => pieces::round(s, self.rows.len()),
+            };
+            for (row, [own, linear, square]) in self.rows.iter_mut().zip(rows) {
+                *row += j0 * own + j1 * linear + j2 * square;
             }
         }
     }
@@ -121,7 +111,7 @@ impl PunchProfile<'_> {
             Shape::Powers { .. } if span.step == 2 => {
                 self.powers(span.half).for_each(|(power, slope)| slopes.add_power(power, slope));
             }
-            Shape::Pieces { pieces, .. } if self.twin == Twin::Plane => {
+            Shape::Pieces { pieces, .. } => {
                 let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
                 slopes.add_pieces(pieces, Span { middle, half, ..span }, self.force);
             }

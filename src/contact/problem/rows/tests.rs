@@ -78,6 +78,21 @@ fn about_the_middle_rows_of_odd_orders_are_those_of_all() {
     }
 }
 
+/// About an axis rows of pieces follow from recurrences, which a rule in every piece does not know.
+#[test]
+fn about_an_axis_rows_of_pieces_are_integrals() {
+    let punches = punches();
+    for punch in punches.iter().filter(|punch| punch.is_even() && matches!(punch.shape(), Shape::Pieces { .. })) {
+        let (profile, span, count) = (profile(punch, Twin::Round), Span::even(1.7), 400);
+        let mut expected = Slopes { rows: vec![0.0; count], twin: Twin::Round };
+        let phase = (2 * count) as f64 + profile.shape.degree();
+        expected.add(2, count, &profile.between(span, &profile.not_smooth(span), phase));
+        for (m, (found, expected)) in profile.rows(span, count).iter().zip(&expected.rows).enumerate() {
+            assert!((found - expected).abs() < 1e-13, "{punch} {m}: {found} {expected}");
+        }
+    }
+}
+
 #[test]
 fn rows_of_one_shape_are_the_same_however_it_is_written() {
     let parabola = Punch::parabola(2.0).unwrap();
