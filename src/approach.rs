@@ -267,9 +267,8 @@ fn sunk(
     let ends: Vec<f64> = all().map(end).collect();
     let unit = kernel.modulus() * if is_round { length } else { 1.0 };
     let pressures: Vec<ContactPressure> = all().map(|contact| ContactPressure::new(contact, is_even, from)).collect();
-    kernel.depth(&windows, &ends, (NEGLIGIBLE, 2), |own| {
+    for (own, pressure) in kernel.depth(&windows, &ends, (NEGLIGIBLE, 2)).iter().zip(&pressures) {
         let wavenumbers: Vec<f64> = own.zeta.iter().map(|zeta| zeta / length).collect();
-        let pressure = &pressures[own.contact];
         let variations: Vec<Complex64> =
             pressure.transforms(&wavenumbers).into_iter().map(|transform| transform.variation).collect();
         for (mean, sunk) in sunk.iter_mut().enumerate() {
@@ -281,7 +280,7 @@ fn sunk(
             };
             *sunk += (0..wavenumbers.len()).map(of).sum::<f64>() / unit;
         }
-    });
+    }
     sunk
 }
 

@@ -4,16 +4,17 @@
 //! the middle of each contact, and of how much higher the punch is there than at its lowest point. Waves move the faces of a contact by λμ₀C of its bodies under equal pressures,
 //! and by what neighbours that carry other pressures bend a laminate between them: of the latter only the differences of the means at both contacts are left in the sum.
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use super::{Kernel, Values};
 use crate::numeric::means::MeanWindow;
 use crate::numeric::quadrature::{self, LARGEST, rule};
 
 /// What waves of the pressure of one contact add to the depth.
-pub(crate) struct DepthWaves<'a> {
-    pub(crate) contact: usize,
+#[derive(Default)]
+pub(crate) struct DepthWaves {
     /// Wavenumbers ζ.
-    pub(crate) zeta: &'a [f64],
+    pub(crate) zeta: Vec<f64>,
     /// What ζ times the transform of the pressure less its resultant adds per unit of P' at each of them, by each mean.
     pub(crate) all: Vec<Vec<f64>>,
     /// The same of ζ times the resultant, which all contacts have in common.
@@ -23,16 +24,23 @@ pub(crate) struct DepthWaves<'a> {
     pub(crate) moment: Vec<Vec<f64>>,
 }
 
+/// Means of waves over the windows of all contacts.
+struct Means {
+    /// Of each contact and wave.
+    all: Vec<Vec<[[f64; 2]; 2]>>,
+    /// The contact with the widest window.
+    widest: usize,
+}
+
 impl Kernel {
-    /// Hands out, stretch by stretch, the waves of all contacts that add to the depth of a punch more than `negligible` of what the longest ones do. Depths are the first of the means over windows, or both, and
+    /// The waves of each contact that add to the depth of a punch more than `negligible` of what the longest ones do. Depths are the first of the means over windows, or both, and
     /// contacts reach as far as `ends` from the middle.
     pub(crate) fn depth(
         &self,
         windows: &[MeanWindow],
         ends: &[f64],
         (negligible, count): (f64, usize),
-        mut each: impl FnMut(&DepthWaves),
-    ) {
+    ) -> Vec<DepthWaves> {
         let seen: Vec<f64> = windows.iter().map(|window| window.last(negligible)).collect();
         // beyond its window a contact counts through couplings alone
         let reach = |contact: usize| {
@@ -43,70 +51,89 @@ impl Kernel {
             through.fold(seen[contact], f64::max)
         };
         let reaches: Vec<f64> = (0..windows.len()).map(reach).collect();
-        let (mut from, mut values) = (0.0, Values::default());
+        let (mut zeta, mut weights, mut stretches, mut from) = (Vec::new(), Vec::new(), Vec::new(), 0.0);
         loop {
-            let counted: Vec<usize> = (0..windows.len()).filter(|contact| from < reaches[*contact]).collect();
-            let Some(last) = counted.iter().map(|contact| reaches[*contact]).reduce(f64::min) else { return };
+            let counted = || (0..windows.len()).filter(|contact| from < reaches[*contact]);
+            let Some(last) = counted().map(|contact| reaches[contact]).reduce(f64::min) else { break };
             let panel = self.panels.get(self.panels.partition_point(|panel| panel.to <= from));
             let to = panel.map_or(2.0 * from.max(1.0), |panel| panel.to).min(last);
-            let farthest = counted.iter().map(|contact| ends[*contact]).fold(0.0, f64::max);
+            let farthest = counted().map(|contact| ends[contact]).fold(0.0, f64::max);
             let needed = quadrature::points(2.0 * farthest * (to - from), -negligible.log10());
             let parts = needed.div_ceil(LARGEST);
             let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
             for [from, to] in (0..parts).map(|part| [at(part), at(part + 1)]) {
-                let (zeta, weights): (Vec<f64>, Vec<f64>) = rule(needed.div_ceil(parts)).on(from, to).unzip();
-                self.values(&zeta, [from, to], &mut values);
-                self.weigh(windows, (&counted, count), &values, [&zeta, &weights], &mut each);
+                let first = zeta.len();
+                let points = rule(needed.div_ceil(parts)).on(from, to);
+                points.for_each(|(wave, weight)| {
+                    zeta.push(wave);
+                    weights.push(weight * self.depth_measure(wave));
+                });
+                stretches.push(([from, to], first..zeta.len()));
             }
             from = to;
         }
-    }
-
-    /// Hands out the same at some wavenumbers with weights.
-    fn weigh(
-        &self,
-        windows: &[MeanWindow],
-        (counted, count): (&[usize], usize),
-        values: &Values,
-        [zeta, weights]: [&[f64]; 2],
-        each: &mut impl FnMut(&DepthWaves),
-    ) {
         let is_round = self.geometry().is_axisymmetric();
-        let measure = |wave: f64| if is_round { wave.recip() } else { (PI * wave * wave).recip() };
-        let measures: Vec<f64> = zeta.iter().zip(weights).map(|(wave, weight)| weight * measure(*wave)).collect();
-        let mut means: Vec<Vec<[[f64; 2]; 2]>> = Vec::with_capacity(windows.len());
+        let mut means = Means { all: Vec::new(), widest: 0 };
         for (contact, window) in windows.iter().enumerate() {
             let above = contact.checked_sub(1).filter(|above| windows[*above] == *window);
-            means.push(above.map_or_else(|| window.of_waves(is_round, zeta), |above| means[above].clone()));
+            means.all.push(above.map_or_else(|| window.of_waves(is_round, &zeta), |above| means.all[above].clone()));
+            if window.half >= windows[means.widest].half {
+                means.widest = contact;
+            }
         }
-        let widest = (0..windows.len()).max_by(|a, b| windows[*a].half.total_cmp(&windows[*b].half)).unwrap_or(0);
-        let nodes = || 0..zeta.len();
-        for contact in counted.iter().copied() {
-            let (own, common, kernel) = (&means[contact], &means[widest], values.equal_pressure(contact));
-            // neighbours carry the same resultants and moments, which do nothing between them
-            let bent = |k: usize, part: usize, mean: usize| {
-                let of = |(other, laminate): (usize, usize)| {
-                    values.coupling(laminate)[k] * (means[other][k][part][mean] - own[k][part][mean])
-                };
-                self.neighbours(contact).map(of).sum::<f64>()
+        let none = || DepthWaves {
+            all: vec![Vec::new(); count],
+            resultant: vec![Vec::new(); count],
+            odd: vec![Vec::new(); count],
+            moment: vec![Vec::new(); count],
+            zeta: Vec::new(),
+        };
+        let mut all: Vec<DepthWaves> = windows.iter().map(|_| none()).collect();
+        let mut values = Values::default();
+        for ([from, to], nodes) in stretches {
+            self.values(&zeta[nodes.clone()], [from, to], &mut values);
+            for (contact, into) in all.iter_mut().enumerate().filter(|(contact, _)| from < reaches[*contact]) {
+                into.zeta.extend(&zeta[nodes.clone()]);
+                self.weigh(contact, &means, &values, (nodes.clone(), &weights), into);
+            }
+        }
+        all
+    }
+
+    /// What a displacement has of a wave with the amplitude 1 of ζ times a transform.
+    fn depth_measure(&self, wave: f64) -> f64 {
+        if self.geometry().is_axisymmetric() { wave.recip() } else { (PI * wave * wave).recip() }
+    }
+
+    /// Adds the waves of a contact at some of all wavenumbers, which have these weights.
+    fn weigh(
+        &self,
+        contact: usize,
+        Means { all: means, widest }: &Means,
+        values: &Values,
+        (nodes, weights): (Range<usize>, &[f64]),
+        into: &mut DepthWaves,
+    ) {
+        let first = nodes.start;
+        let (own, common, kernel) =
+            (&means[contact][first..], &means[*widest][first..], values.equal_pressure(contact));
+        // neighbours carry the same resultants and moments, which do nothing between them
+        let bent = |k: usize, part: usize, mean: usize| {
+            let of = |(other, laminate): (usize, usize)| {
+                values.coupling(laminate)[k] * (means[other][first + k][part][mean] - own[k][part][mean])
             };
-            let all = (0..count).map(|mean| {
-                let equal = |k: usize| kernel[k] * (1.0 + own[k][0][mean]);
-                nodes().map(|k| measures[k] * (equal(k) + bent(k, 0, mean))).collect::<Vec<f64>>()
-            });
-            let moment = (0..count).map(|mean| nodes().map(|k| measures[k] * kernel[k] * own[k][1][mean]).collect());
-            let odd = (0..count).map(|mean| {
-                nodes().map(|k| measures[k] * (kernel[k] * own[k][1][mean] + bent(k, 1, mean))).collect::<Vec<f64>>()
-            });
-            let resultant = (0..count).map(|mean| {
+            self.neighbours(contact).map(of).sum::<f64>()
+        };
+        for mean in 0..into.all.len() {
+            for (k, weight) in weights[nodes.clone()].iter().enumerate() {
                 // as far as the means are the same, equal resultants of all contacts do nothing but squeeze
-                let squeezed =
-                    |k: usize| if contact == widest { values.squeezed()[k] * (1.0 + common[k][0][mean]) } else { 0.0 };
-                let differ = |k: usize| kernel[k] * (own[k][0][mean] - common[k][0][mean]);
-                nodes().map(|k| measures[k] * (differ(k) + squeezed(k))).collect::<Vec<f64>>()
-            });
-            let (all, resultant, odd, moment) = (all.collect(), resultant.collect(), odd.collect(), moment.collect());
-            each(&DepthWaves { contact, zeta, all, resultant, odd, moment });
+                let squeezed = if contact == *widest { values.squeezed()[k] * (1.0 + common[k][0][mean]) } else { 0.0 };
+                let [even, odd] = own[k].map(|part| part[mean]);
+                into.all[mean].push(weight * (kernel[k] * (1.0 + even) + bent(k, 0, mean)));
+                into.odd[mean].push(weight * (kernel[k] * odd + bent(k, 1, mean)));
+                into.moment[mean].push(weight * kernel[k] * odd);
+                into.resultant[mean].push(weight * (kernel[k] * (even - common[k][0][mean]) + squeezed));
+            }
         }
     }
 }

@@ -24,6 +24,7 @@ use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain, Unresolve
 
 pub(crate) use asymptote::{Asymptote, sum_of};
 use components::{Components, Kind};
+pub(crate) use depth::DepthWaves;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
 

@@ -10,6 +10,8 @@ use super::quadrature;
 
 /// The power n of the weights.
 const FLAT: usize = 12;
+/// The last term of a pressure on a half-plane of which the mean over its contact takes any part.
+pub(crate) const FELT: usize = 2 * FLAT + 1;
 /// Next to z = 0 the mean of a wave less 1 is the sum of this many terms of a series; without cancellation up to there.
 const SERIES: f64 = 4.0;
 const TERMS: i32 = 16;
@@ -28,6 +30,11 @@ pub(crate) struct MeanWindow {
 }
 
 impl MeanWindow {
+    /// Whether another window lies inside.
+    pub(crate) fn contains(&self, other: &Self) -> bool {
+        (other.middle - self.middle).abs() + other.half <= self.half
+    }
+
     /// The wavenumber beyond which a mean has less of a wave than that, since |J_ν(z)| hardly exceeds √(2/πz).
     pub(crate) fn last(&self, negligible: f64) -> f64 {
         let order = FLAT as f64 + 0.5;

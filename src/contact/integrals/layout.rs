@@ -3,9 +3,13 @@
 //! Every matrix entry is an integral of a kernel times two Bessel functions, ∫ g(ζ) J_k(ζa) J_j(ζa') dζ/ζ. What is
 //! left of g when its limit g∞ is taken out either vanishes at some ζ, and so do the integrals, or has a tail like
 //! 1/ζ. Where that takes many wavenumbers, the integrals beyond the turning points are found otherwise: see [`super::tail`].
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use crate::contact::integrals::tail::MOST_WAVENUMBERS;
 use crate::contact::problem::twin::Twin;
-use crate::kernel::{Kernel, Panel, Values, sum_of};
+use crate::kernel::{DepthWaves, Kernel, Panel, Values, sum_of};
+use crate::numeric::means::MeanWindow;
 use crate::numeric::quadrature::{LARGEST, points, rule};
 
 /// Stretches with more such parts are left out of fields.
@@ -33,6 +37,8 @@ pub(crate) struct Layout {
     pub(crate) own: Vec<Own>,
     /// Per pair of neighbours: weights −dζ/ζ times the coupling.
     pub(crate) coupling: Vec<Vec<f64>>,
+    /// Where the depths of punches are told from, and how.
+    pub(crate) depths: RefCell<Vec<Rc<Depth>>>,
     /// Of intervals: beyond its wavenumbers each contact has tails of its intervals, from here on; infinite where it has none.
     pub(crate) tails_from: Vec<f64>,
 }
@@ -47,6 +53,18 @@ pub(crate) struct Lengths {
     pub(crate) turned: Vec<f64>,
     /// What is taken out of its kernel, as a sum of c exp(−ζb), in pairs of b and c.
     pub(crate) exponentials: Vec<Vec<[f64; 2]>>,
+}
+
+/// What tells the depth of a punch, as long as bodies touch in its windows.
+pub(crate) struct Depth {
+    /// The number of the punch.
+    pub(crate) punch: usize,
+    /// Where displacements are averaged, of each contact.
+    pub(crate) windows: Vec<MeanWindow>,
+    /// What waves of the pressure of each contact add.
+    pub(crate) waves: Vec<DepthWaves>,
+    /// How much higher than their lowest points the punch and all gaps are there, per unit of P'.
+    pub(crate) height: f64,
 }
 
 /// What belongs to one contact alone.
@@ -137,6 +155,7 @@ impl Layout {
             zeta: Vec::with_capacity(USUAL),
             own: (0..n).map(own).collect(),
             coupling: (0..kernel.pairs()).map(|_| Vec::with_capacity(USUAL)).collect(),
+            depths: RefCell::default(),
             tails_from: Vec::new(),
         }
     }

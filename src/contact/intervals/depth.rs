@@ -1,9 +1,14 @@
 //! The rows that tell the forces of punches of which the depth is prescribed.
+use std::rc::Rc;
+
 use faer::Mat;
 
+use crate::contact::integrals::layout::Depth;
+use crate::contact::intervals::LAYOUT_SERVES;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::equations::{Equations, Sunk};
 use crate::contact::intervals::support::ContactInterval;
+use crate::kernel::DepthWaves;
 use crate::numeric::largest;
 use crate::numeric::means::MeanWindow;
 
@@ -15,28 +20,42 @@ impl Equations<'_> {
     }
 
     fn sum_sunk(&self, punch: usize) -> Sunk {
-        let (windows, mut sums) = (self.windows(punch), Vec::new());
+        let depth = self.depth(punch);
+        let sum = |(columns, own): (&Columns, &DepthWaves)| {
+            let mut sums = Mat::zeros(1, columns.rows());
+            let waves = columns.waves(&own.zeta, &self.problem.kernel.workspace);
+            let long = columns.long_waves(&own.zeta, &self.problem.kernel.workspace);
+            let parts = |even: &[f64], odd: &[f64]| if self.moves { [even, odd].concat() } else { even.to_vec() };
+            let told = long.values.all().test(&parts(&own.resultant[0], &own.moment[0]));
+            let tested = waves.all().test(&parts(&own.all[0], &own.odd[0])).into_iter().enumerate();
+            let all = tested.chain(long.places.iter().copied().zip(told));
+            all.for_each(|(column, wave)| sums[(0, column)] += wave);
+            sums
+        };
+        Sunk {
+            by_columns: self.columns.iter().zip(&depth.waves).map(sum).collect(),
+            by_angles: self.turned(punch, &depth.windows),
+            height: depth.height,
+        }
+    }
+
+    /// What tells the depth of a punch, from the windows of an earlier list if bodies touch in these here as well.
+    fn depth(&self, punch: usize) -> Rc<Depth> {
+        let (mut windows, mut known) = (self.windows(punch), self.layout.depths.borrow_mut());
+        let serves = |own: &Depth| own.windows.iter().zip(&windows).all(|(own, window)| window.contains(own));
+        if let Some(own) = known.iter().find(|own| own.punch == punch && serves(own)) {
+            return own.clone();
+        }
+        windows.iter_mut().for_each(|window| window.half *= 1.0 - LAYOUT_SERVES);
         let end = |columns: &Columns| {
             largest(columns.intervals.iter().map(|own: &ContactInterval| own.to().max(-own.from())))
         };
         let ends: Vec<f64> = self.columns.iter().map(end).collect();
-        let kernel = self.problem.kernel;
-        sums.extend(self.columns.iter().map(|columns| Mat::zeros(1, columns.rows())));
-        kernel.depth(&windows, &ends, (self.layout.negligible, 1), |own| {
-            let columns = &self.columns[own.contact];
-            let waves = columns.waves(own.zeta, &kernel.workspace);
-            let long = columns.long_waves(own.zeta, &kernel.workspace);
-            let parts = |even: &[f64], odd: &[f64]| if self.moves { [even, odd].concat() } else { even.to_vec() };
-            let of_told = parts(&own.resultant[0], &own.moment[0]);
-            let told = long.places.iter().copied().zip(long.values.all().test(&of_told));
-            let tested = waves.all().test(&parts(&own.all[0], &own.odd[0])).into_iter().enumerate();
-            tested.chain(told).for_each(|(column, wave)| sums[own.contact][(0, column)] += wave);
-        });
-        Sunk {
-            by_columns: sums,
-            by_angles: self.turned(punch, &windows),
-            height: (0..windows.len()).map(|contact| self.height(contact, punch, &windows[contact])).sum(),
-        }
+        let waves = self.problem.kernel.depth(&windows, &ends, (self.layout.negligible, 1));
+        let height = (0..windows.len()).map(|contact| self.height(contact, punch, &windows[contact])).sum();
+        let depth = Rc::new(Depth { punch, windows, waves, height });
+        known.push(depth.clone());
+        depth
     }
 
     /// How much higher than at its lowest point the punch is on average over its window, or the gap at another contact before it was loaded.

@@ -57,12 +57,8 @@ impl Kept {
             wanted
         };
         let wanted: Vec<Vec<bool>> = all.iter().map(|(_, counts)| wanted(counts)).collect();
-        let unknowns = all.iter().zip(&wanted).map(|((solved, _), wanted)| {
-            let mut unknowns = equations.unknowns(solved);
-            unknowns.x.iter_mut().zip(wanted).filter(|(_, wanted)| !**wanted).for_each(|(x, _)| *x = 0.0);
-            unknowns
-        });
-        let unknowns: Vec<Unknowns> = unknowns.collect();
+        let unknowns: Vec<Unknowns> =
+            all.iter().map(|(solved, counts)| equations.unknowns(&solved.first_terms(counts))).collect();
         let missed = equations.residuals(&unknowns)?;
         let sets = unknowns.into_iter().zip(missed).zip(&wanted).zip(all);
         let corrected = sets.map(|(((mut unknowns, missed), wanted), (_, counts))| {
@@ -106,6 +102,13 @@ impl Solved {
         let all = self.pressures.iter().zip(before.0.iter().zip(&after.0));
         let pressures = all.map(|(pressure, (before, after))| pressure.on(before, after)).collect();
         Self { pressures, ..self.clone() }
+    }
+
+    /// The same with no more than these numbers of terms besides what tips make.
+    fn first_terms(&self, counts: &[usize]) -> Self {
+        let mut all = self.clone();
+        all.pressures.iter_mut().zip(counts).for_each(|(pressure, count)| pressure.terms.truncate(*count));
+        all
     }
 
     /// The same with singular pressures at corners only.

@@ -37,6 +37,7 @@ use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::{Expected, Prescribed, Problem};
 use crate::numeric::largest;
+use crate::numeric::means::FELT;
 use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
 pub(super) use closed::of_openings;
 use errors::Errors;
@@ -105,7 +106,7 @@ fn resolving(problem: &Problem, interval: &ContactInterval) -> usize {
     let of_waves = (if interval.is_even() { 0.5 * orders } else { orders }) as usize;
     let is_depth = |(_, prescribed): &(usize, Prescribed)| matches!(prescribed, Prescribed::Depth(_));
     let has_tip = problem.prescribed.iter().any(is_depth) && problem.tip(interval.contact, interval.punch).is_some();
-    let of_tip = if interval.is_even() { 4 * COARSEST } else { 8 * COARSEST };
+    let of_tip = if interval.is_even() { FELT } else { 2 * FELT };
     if has_tip { of_waves.max(of_tip) } else { of_waves }
 }
 
