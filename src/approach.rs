@@ -119,7 +119,9 @@ pub(crate) fn punches<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punches, Ap
     if stack.base().foundation().half_plane().is_some() {
         return Err(ApproachError::HalfPlane);
     }
-    if top.material().is_some() { Err(ApproachError::ElasticPunch) } else { Ok(punches) }
+    let has_elastic_core = |second: &Stack| second.base().foundation().half_plane().is_some();
+    let is_elastic = top.material().is_some() || stack.second().is_some_and(has_elastic_core);
+    if is_elastic { Err(ApproachError::ElasticPunch) } else { Ok(punches) }
 }
 
 /// The punch that is symmetric and not turned, if there is no other one, and an approach is defined for it on a stack.

@@ -195,7 +195,7 @@ fn gaps(
     let (mut gaps, mut first) = (Vec::new(), 0);
     for Points { contact, punch, x, .. } in points {
         let interface = solution.contacts()[*contact].interface;
-        let heights = profile::heights(top, &field, &faces, interface, *punch, &places).unwrap_or_default();
+        let heights = profile::heights(top, &field, &faces, interface, *punch, &places)?.unwrap_or_default();
         let tilt = solution.punches().get(*punch).filter(|_| interface == Interface::Punch).map_or(0.0, |own| own.tilt);
         gaps.extend(x.iter().zip(&heights[first..]).map(|(x, height)| height + tilt * x));
         first += x.len();

@@ -119,6 +119,7 @@ impl Scene {
     /// where it cannot carry the force. Other errors, and errors of a scene not read from a text, are left as they are.
     pub fn locate(&self, error: Error) -> Error {
         let located = match &error {
+            Error::Stack(cause) if cause.is_of_second() => self.error_at(Owner::Top, cause.hint(), cause),
             Error::Stack(cause) => self.error_at(cause.item().map_or(Owner::Stack, Owner::Item), cause.hint(), cause),
             Error::NoSolution(cause @ NoSolution::PunchTooSmall { .. }) => {
                 let hint = "a larger punch or a smaller force keeps the contact within the punch";

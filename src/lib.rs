@@ -109,8 +109,9 @@ pub use recede_layers::{
     Plane, PowerHalfPlane, Profile, Registry, Support, Wave, Winkler,
 };
 pub use scene::{
-    ElasticCylinder, Force, HeightsError, Item, ListError, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad, Pressed,
-    Punch, Punches, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge, scene_schema, visible,
+    Covered, ElasticCylinder, Force, HeightsError, Item, ListError, Load, Loads, MAX_BYTES, MAX_ITEMS, PlacedLoad,
+    Pressed, Punch, Punches, Scene, SceneError, Spring, Tilt, Top, Units, ValueError, Vocabulary, Wedge, scene_schema,
+    visible,
 };
 pub use solution::{
     Carried, ClosedInterface, Contact, Controlled, Interface, Interval, Ledger, LedgerEntry, Opening, Peak, Separation,

@@ -11,7 +11,7 @@ use crate::field::{Field, FieldError};
 use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::profile::{self, FaceProfiles};
-use crate::scene::{Force, Load, Loads, Pressed, Scene, Top};
+use crate::scene::{Force, Load, Loads, Pressed, Punch, Scene, Top};
 use crate::solution::{ClosedInterface, Interface, Ledger, OwnerKey, Solution};
 use crate::stack::{Gaps, Stack};
 use crate::weights::Weights;
@@ -111,6 +111,12 @@ impl Model {
         options.check()?;
         if let Some(material) = top.material() {
             self.stack.check_punch(&material)?;
+        }
+        if let Some(cover) = top.punch().and_then(Punch::cover) {
+            let second = Stack::of_second(self.stack.geometry(), cover)?;
+            if self.stack.second().is_none_or(|own| own.key() != second.key()) {
+                return Err(ContactError::NotUnderCover.into());
+            }
         }
         if force == Force::Given(0.0) {
             let (load, small) = self.next_to_nothing(top).ok_or(ContactError::NoForce)?;
@@ -361,8 +367,12 @@ impl Scene {
     /// # Errors
     /// As [`Stack::from_items`], with line and column if the scene was read from a text.
     pub fn stack(&self) -> Result<Stack, Error> {
-        Stack::from_items_under(self.geometry, self.pressure_on_top, &self.stack)
-            .map_err(|error| self.locate(error.into()))
+        let stack = Stack::from_items_under(self.geometry, self.pressure_on_top, &self.stack);
+        let stack = match self.top.punch().and_then(Punch::cover) {
+            Some(cover) => stack.and_then(|stack| stack.under(Stack::of_second(self.geometry, cover)?)),
+            None => stack,
+        };
+        stack.map_err(|error| self.locate(error.into()))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Profiles along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
 use std::f64::consts::PI;
 
-use crate::field::{FULL, FaceProfile, FaceSide, Field, FieldError};
+use crate::field::{DISPLACEMENTS, FULL, FaceProfile, FaceSide, Field, FieldError};
 use crate::geometry::Coordinates;
 use crate::scene::Top;
 use crate::solution::{ClosedInterface, Contact, Interface, Interval, Solution};
@@ -89,11 +89,13 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
             contact.interface != Interface::Punch || top.punches().is_some_and(|all| all.parts().count() == each.len());
         let of = |(k, body): (usize, &Contact)| {
             let apart = heights(top, &field, &faces, contact.interface, k, &places)?;
-            let [begin, end] = [0, 1].map(|side| touching + 2 * k + side).map(|q| (places[q], apart[q]));
-            Some(gap(x, &apart, body.intervals(), [begin, end]))
+            Ok(apart.map(|apart| {
+                let [begin, end] = [0, 1].map(|side| touching + 2 * k + side).map(|q| (places[q], apart[q]));
+                gap(x, &apart, body.intervals(), [begin, end])
+            }))
         };
         // to the nearest of several punches
-        let gaps = each.iter().enumerate().filter(|_| known).map(of).collect::<Option<Vec<_>>>();
+        let gaps = each.iter().enumerate().filter(|_| known).map(of).collect::<Result<Option<Vec<_>>, FieldError>>()?;
         let nearest = |one: Vec<f64>, other: Vec<f64>| one.iter().zip(&other).map(|(a, b)| a.min(*b)).collect();
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
         let gap = gaps.and_then(|gaps| gaps.into_iter().reduce(nearest));
@@ -131,14 +133,20 @@ pub(crate) fn heights(
     interface: Interface,
     number: usize,
     x: &[f64],
-) -> Option<Vec<f64>> {
+) -> Result<Option<Vec<f64>>, FieldError> {
     let face = |layer: usize, side: FaceSide| faces.iter().find(|face| face.layer == layer && face.side == side);
     let v = |face: Option<&FaceProfile>, k: usize| face.map_or(0.0, |face| face.points[k].v);
-    Some(match interface {
+    Ok(Some(match interface {
         Interface::Punch => {
-            let (pressed, _) = top.punches()?.parts().nth(number)?;
+            let Some((pressed, _)) = top.punches().and_then(|all| all.parts().nth(number)) else { return Ok(None) };
             let punch = pressed.shape();
-            let flattened = punch.material().map(|material| field.flattening(&material, x));
+            let flattened = match (punch.material(), field.second()) {
+                (Some(material), _) => Some(field.flattening(&material, x)),
+                (None, Some(second)) => {
+                    Some(second.faces(x, &DISPLACEMENTS)?[0].points.iter().map(|own| -own.v).collect())
+                }
+                (None, None) => None,
+            };
             // nothing is above the stack beyond the edge of a punch, but for rounding where a contact ends at a corner
             let [left, right] = punch.shape().ends();
             let profile = |x: f64| {
@@ -154,5 +162,5 @@ pub(crate) fn heights(
             let (above, below) = (face(above, FaceSide::Bottom), face(below, FaceSide::Top));
             (0..x.len()).map(|k| v(above, k) - v(below, k) + field.gaps.height(interface, x[k])).collect()
         }
-    })
+    }))
 }

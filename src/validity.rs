@@ -37,6 +37,7 @@ fn radius(punch: &Punch) -> Option<f64> {
     match punch {
         Punch::Cylinder { radius } | Punch::Parabola { radius } => Some(radius.get()),
         Punch::ElasticCylinder(cylinder) => Some(cylinder.radius()),
+        Punch::Covered(covered) => Some(covered.radius()),
         _ => None,
     }
 }

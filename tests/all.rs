@@ -17,6 +17,7 @@ mod cli;
 mod collocation;
 mod convergence;
 mod corners;
+mod covers;
 mod deformed;
 mod dents;
 mod determinism;

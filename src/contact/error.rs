@@ -34,6 +34,9 @@ pub enum ContactError {
         "the punch is not symmetric about its tip, or is one of several: what is prescribed stands beside it in the list of punches"
     )]
     UnevenPunch,
+    /// A covered punch on a stack that has no layers of it.
+    #[error("the punch is covered, and the stack below was made without its layers")]
+    NotUnderCover,
     /// A punch that is turned so far that one of its sides falls from the tip on, without end.
     #[error(
         "{punch} is turned by {angle}, so that one of its sides falls away from its tip without end; allowed are angles less than its slopes"
@@ -84,6 +87,7 @@ impl ContactError {
             | Self::NotSuperposed { .. }
             | Self::NoForce
             | Self::UnevenPunch
+            | Self::NotUnderCover
             | Self::PunchFalls { .. } => true,
             Self::Unresolved(_) => false,
             Self::NoSolution(cause) => cause.is_input(),
@@ -109,6 +113,7 @@ impl ContactError {
             Self::NotSuperposed { .. } => Some("bond the layers, or let one load press about the axis: `load: ...`".to_owned()),
             Self::DentUnderPunch => Some("give the pressure of the punch as `load` or `loads`".to_owned()),
             Self::DepthWithOpenings => Some("give the force, or `half_length`, `left` or `right`".to_owned()),
+            Self::NotUnderCover => Some("take `Scene::stack`, or add them by `Stack::under`".to_owned()),
             Self::UnevenPunch => Some(
                 "write it as one of `punches: [(shape: ..., at: ..., force: ...), ...]`, with `force`, `depth`, `left` or `right`"
                     .to_owned(),

@@ -115,6 +115,8 @@ pub struct Field {
     pressure_error: f64,
     /// Fields about several axes, of which this one is the sum.
     superposed: Option<Superposed>,
+    /// The field in the body that presses on top.
+    second: Option<Box<Field>>,
 }
 
 impl Field {
@@ -171,6 +173,10 @@ impl Field {
             base: is_joined.then(|| below.foundation().number()),
             pressure_error: 0.0,
             superposed: Superposed::new(stack, solution),
+            second: stack.second().map(|second| {
+                let contacts = solution.contacts()[..1].to_vec();
+                Box::new(Self::new(second, &Solution { contacts, closed: Vec::new(), ..solution.clone() }))
+            }),
         };
         let interfaces = contacts.iter().map(|own| own.interface).chain(closed.iter().map(|own| own.interface));
         let apart = interfaces.zip(&field.joints);
@@ -178,6 +184,23 @@ impl Field {
         let error = |(i, contact): (usize, &Contact)| pressure_error(contact, field.pressures[i].mean(field.length(i)));
         field.pressure_error = contacts.iter().enumerate().map(error).sum();
         field
+    }
+
+    /// The field in the body that presses on the top face in place of a rigid punch, if there is one: depths count from its own face inwards,
+    /// and its y-axis points out of that face.
+    ///
+    /// ```
+    /// use recede::Scene;
+    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, force: 0.01, stack: [HalfPlane(shear_modulus: 1, poisson: 0.3)],
+    ///     punch: Covered(radius: 100, layers: [Homogeneous(thickness: 1, shear_modulus: 2, poisson: 0.4)], core: Rigid))")?;
+    /// let model = recede::Model::new(scene.stack()?)?;
+    /// let field = model.field(&model.press(&scene.top, scene.force)?)?;
+    /// let [below, above] = [&field, field.second().unwrap()].map(|field| field.at(0.0, 0.0).unwrap());
+    /// assert_eq!(below.sigma_yy, above.sigma_yy);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn second(&self) -> Option<&Self> {
+        self.second.as_deref()
     }
 
     /// Stresses and displacements at a point; on an interface, of the layer below.

@@ -66,6 +66,8 @@ struct Chains {
     kind: Kind,
     laminates: Vec<FreeChain>,
     base: BaseChain,
+    /// The body that presses on top, if that is elastic and not the same for all wavenumbers.
+    second: Option<BaseChain>,
     geometry: Geometry,
     length: f64,
     modulus: f64,
@@ -95,8 +97,9 @@ impl Chains {
         let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
         let top = laminates.first().map_or(base.top_layer(), |laminate| laminate.layers().first());
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
-        let length = length::intrinsic_length(stack).unwrap_or(1.0);
-        Self { kind, laminates, base, geometry, length, modulus }
+        let length = [Some(stack), stack.second()].into_iter().flatten().find_map(length::intrinsic_length);
+        let (length, second) = (length.unwrap_or(1.0), stack.second().map(|own| BaseChain::of(&BlockSystem::new(own))));
+        Self { kind, laminates, base, second, geometry, length, modulus }
     }
 
     fn order(&self) -> Components {
@@ -144,6 +147,10 @@ impl Chains {
             components[2 * n - 1] += c;
             components[3 * n - 1] += c;
         }
+        if let (Some(second), true) = (&self.second, is_wanted(0)) {
+            let c = second.counted_flexibility(&wave, stats).ok_or_else(failed)?;
+            [0, n, 3 * n - 1].into_iter().for_each(|component| components[component] += c);
+        }
         if self.kind == Kind::Openings {
             let bending: Vec<f64> = components[2 * n..3 * n - 1].iter().map(|coupling| -coupling).collect();
             let noisy = bending.iter().zip(&*bent).filter(|(_, bent)| **bent).map(|(bending, _)| bending.abs());
@@ -157,7 +164,10 @@ impl Chains {
 
     /// Thickness of the thinnest layer next to contact i, in units of L; infinite next to a half-plane only.
     fn thinnest_face(&self, contact: usize) -> f64 {
-        let above = contact.checked_sub(1).and_then(|i| self.laminates[i].layers().last());
+        let above = match contact.checked_sub(1) {
+            Some(above) => self.laminates[above].layers().last(),
+            None => self.second.as_ref().and_then(|second| second.layers().first()),
+        };
         let below = match self.laminates.get(contact) {
             Some(laminate) => laminate.layers().first(),
             None => self.base.layers().first(),

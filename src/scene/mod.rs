@@ -1,4 +1,5 @@
 //! A scene: what is pressed by what, as read from a text.
+mod covered;
 mod elastic_cylinder;
 mod explain;
 mod force;
@@ -31,6 +32,7 @@ use std::sync::Arc;
 
 use recede_layers::tree::Node;
 
+pub use covered::Covered;
 pub use elastic_cylinder::ElasticCylinder;
 pub use force::Force;
 pub use heights::HeightsError;

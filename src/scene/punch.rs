@@ -8,12 +8,15 @@ use recede_layers::{Exponent, Finite, Isotropic, Positive, Thickness};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::covered::Covered;
 use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
+use super::item::Item;
 use super::shape::{Piece, Shape, even};
 use super::text::written;
 use super::value::ValueError;
 use super::wedge::Wedge;
+use crate::geometry::Geometry;
 
 /// A frictionless punch with its tip at x = 0, rigid unless it says otherwise.
 ///
@@ -85,6 +88,8 @@ pub enum Punch {
     },
     /// A circular cylinder of an elastic material: it is flattened like a half-plane.
     ElasticCylinder(ElasticCylinder),
+    /// A circular cylinder with elastic layers on its core: a second stack, which is pressed on the first one.
+    Covered(Covered),
 }
 
 impl Punch {
@@ -216,6 +221,15 @@ impl Punch {
         ElasticCylinder::new(radius, shear_modulus, poisson).map(Self::ElasticCylinder)
     }
 
+    /// A circular cylinder of radius R > 0, in length, with layers on its core: items as of a stack from the outer face inwards, ending in the core. Its layers are
+    /// part of the stack on which it presses, see [`Stack::under`](crate::Stack::under).
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if the radius is not positive and finite.
+    pub fn covered(radius: f64, items: Vec<Item>) -> Result<Self, ValueError> {
+        Covered::new(radius, items).map(Self::Covered)
+    }
+
     /// A dent of layers that lie on each other, depth · exp(−(x/half_width)²), both > 0, in length: a gap, and no punch.
     ///
     /// # Errors
@@ -232,6 +246,7 @@ impl Punch {
         match self {
             Self::Cylinder { radius } => Shape::Circle(radius.get()),
             Self::ElasticCylinder(cylinder) => Shape::Circle(cylinder.radius()),
+            Self::Covered(covered) => Shape::Circle(covered.radius()),
             Self::Parabola { radius } => Shape::power(radius.get(), 2.0, 0.5 * radius.get()),
             Self::Power { exponent, half_width, height } => {
                 Shape::power(half_width.get(), exponent.get(), height.get())
@@ -258,6 +273,11 @@ impl Punch {
     /// The material of an elastic punch; `None` if it is rigid.
     pub fn material(&self) -> Option<Isotropic> {
         if let Self::ElasticCylinder(cylinder) = self { Some(cylinder.material()) } else { None }
+    }
+
+    /// The layers of a covered punch with its core, from the outer face inwards; `None` of others.
+    pub fn cover(&self) -> Option<&[Item]> {
+        if let Self::Covered(covered) = self { Some(covered.items()) } else { None }
     }
 
     /// Whether the punch is its own mirror image about x = 0.
@@ -300,7 +320,10 @@ impl Punch {
 impl fmt::Display for Punch {
     /// As it is written in a scene.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&written(self))
+        match self {
+            Self::Covered(covered) => f.write_str(&covered.written(Geometry::PlaneStrain)),
+            _ => f.write_str(&written(self)),
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use recede_layers::{Exponent, Positive, Thickness};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::covered::Covered;
 use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{PolynomialHeights, RoundHeights};
 use super::load::Load;
@@ -69,6 +70,8 @@ pub(super) enum RoundPunch {
     },
     /// A sphere of an elastic material: it is flattened like a half-space.
     ElasticSphere(ElasticCylinder),
+    /// A sphere with elastic layers on its core: a second stack, which is pressed on the first one.
+    Covered(Covered),
 }
 
 /// A pressure about the axis that is given, with the force as its resultant.
@@ -133,6 +136,7 @@ same!(Punch and RoundPunch:
     Table(heights) is Table(RoundHeights(heights)),
     Dent { depth, half_width: radius } is Dent { depth, radius },
     ElasticCylinder(sphere) is ElasticSphere(sphere),
+    Covered(covered) is Covered(covered),
 );
 
 same!(Load and RoundLoad:
@@ -154,7 +158,11 @@ impl Punch {
     /// # Ok::<(), recede::Error>(())
     /// ```
     pub fn written_in(&self, geometry: Geometry) -> String {
-        if geometry.is_axisymmetric() { written(&RoundPunch::from(self.clone())) } else { self.to_string() }
+        match self {
+            Self::Covered(covered) => covered.written(geometry),
+            _ if geometry.is_axisymmetric() => written(&RoundPunch::from(self.clone())),
+            _ => self.to_string(),
+        }
     }
 }
 

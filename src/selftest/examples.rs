@@ -15,8 +15,8 @@ macro_rules! scenes {
 }
 
 /// The scenes that ship with the program.
-pub const EXAMPLES: [&str; 30] = scenes! {
-    "blunt_power" "bonded_coating" "bonded_to_rigid" "elastic_roller" "glued_coating" "graded_by_a_table" "hertz"
+pub const EXAMPLES: [&str; 31] = scenes! {
+    "blunt_power" "bonded_coating" "bonded_to_rigid" "covered_rollers" "elastic_roller" "glued_coating" "graded_by_a_table" "hertz"
     "line_load" "measured_punch" "orthotropic_ply" "plate_on_springs" "polynomial_punch" "prescribed_half_length"
     "prescribed_depth" "rounded_flat" "sharp_flat" "sliding_leaves" "soil" "stiffening_ground" "strip_fgm_half_plane"
     "strip_on_rigid" "table1_strip_half_plane" "table2_graded_half_plane" "two_strips" "two_wheels" "uniform_load"

@@ -70,6 +70,11 @@ impl Stack {
         Self::from_items_under(geometry, 0.0, items)
     }
 
+    /// The body that presses on the top face of a stack, from items as they are written.
+    pub(crate) fn of_second(geometry: Geometry, items: &[Item]) -> Result<Self, StackError> {
+        Self::from_items(geometry, items).map_err(|StackError { problem, .. }| StackError::of_second(problem))
+    }
+
     /// The same under a pressure everywhere on the top face, in stress.
     ///
     /// # Errors
@@ -141,7 +146,8 @@ fn finish(
     if laminates.len() > MAX_RECEDING {
         return Err(StackError::whole(StackProblem::TooManyReceding(laminates.len())));
     }
-    let stack = Stack { geometry, pressure_on_top, laminates, base: Base { joined, foundation }, dropped };
+    let stack =
+        Stack { geometry, pressure_on_top, laminates, base: Base { joined, foundation }, dropped, second: None };
     if !stack.total_thickness().is_finite() {
         return Err(StackError::whole(StackProblem::TooThick));
     }

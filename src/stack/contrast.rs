@@ -10,9 +10,9 @@ const DEPTHS: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 /// Of a half-plane only the face counts: deeper down a graded one may have any modulus. A punch comes before all layers.
 pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), StackError> {
     let punch = punch.map(|material| (None, moduli(&material)));
-    let layers = stack.groups().flat_map(|group| group.layers());
-    let layers = layers.map(|placed| (Some(placed), range(placed, stack.plane())));
-    let bodies: Vec<(Option<&Placed>, [f64; 2])> = punch.into_iter().chain(layers).collect();
+    let of_second = stack.second.iter().flat_map(|second| layers(second)).map(|(_, moduli)| (None, moduli));
+    let layers = layers(stack).map(|(placed, moduli)| (Some(placed), moduli));
+    let bodies: Vec<(Option<&Placed>, [f64; 2])> = punch.into_iter().chain(of_second).chain(layers).collect();
     let softest = bodies.iter().reduce(|first, other| if other.1[0] < first.1[0] { other } else { first });
     let stiffest = bodies.iter().reduce(|first, other| if other.1[1] > first.1[1] { other } else { first });
     let (Some((soft, [least, _])), Some((stiff, [_, most]))) = (softest, stiffest) else { return Ok(()) };
@@ -25,6 +25,12 @@ pub(super) fn check(stack: &Stack, punch: Option<Material>) -> Result<(), StackE
     let name = |body: &Option<&Placed>| body.map_or("the punch".to_owned(), Placed::name);
     let soft = if soft_number == stiff_number { "elsewhere in the same layer".to_owned() } else { name(soft) };
     Err(StackError::of_layer(stiff_number.unwrap_or(1), StackProblem::Contrast { stiff: name(stiff), soft, ratio }))
+}
+
+/// The layers of a stack with their moduli.
+fn layers(stack: &Stack) -> impl Iterator<Item = (&Placed, [f64; 2])> {
+    let all = stack.groups().flat_map(|group| group.layers());
+    all.map(|placed| (placed, range(placed, stack.plane())))
 }
 
 /// The smallest and the largest modulus of a layer.

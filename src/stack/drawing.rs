@@ -35,13 +35,9 @@ impl Stack {
     /// │╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱╱│
     /// ```
     pub fn drawing(&self, punch: Option<&str>, columns: Option<usize>) -> String {
-        let label = |(number, body): (usize, Option<Body>)| match body.map(|body| body.notation()) {
-            Some(notation) => format!(" {number} {notation} "),
-            None => format!(" {number} Rigid"),
-        };
-        let groups: Vec<Vec<String>> = self.groups().map(|group| group.bodies().map(label).collect()).collect();
-        let widths = groups.iter().flatten().map(|text| text.chars().count());
-        let width = widths.chain([NARROWEST]).max().unwrap_or(NARROWEST).min(WIDEST);
+        let widths = self.texts().into_iter().chain(self.second.iter().flat_map(|second| second.texts()));
+        let widest = widths.flatten().map(|text| text.chars().count()).max().unwrap_or(NARROWEST);
+        let width = widest.clamp(NARROWEST, WIDEST);
         // the borders take a column each
         let width = columns.map_or(width, |columns| width.min(columns.saturating_sub(2).max(NARROWEST)));
 
@@ -51,25 +47,45 @@ impl Stack {
             lines.push(centred(&format!("╲    {text}    ╱"), width));
             lines.push(centred(&format!("╰{}╯", "─".repeat(text.chars().count() + 6)), width));
         }
-        let contacts = self.contacts();
-        for (i, (texts, group)) in groups.iter().zip(self.groups()).enumerate() {
+        if let Some(second) = &self.second {
+            // its core is on top
+            let corners = |line: String| line.replace('┌', "└").replace('┐', "┘");
+            lines.extend(second.boxes(width).into_iter().rev().flatten().map(corners));
+        }
+        lines.extend(self.boxes(width).into_iter().flatten());
+        lines.extend(self.left_out());
+        lines.join("\n")
+    }
+
+    /// The bodies of each group as they are written.
+    fn texts(&self) -> Vec<Vec<String>> {
+        let label = |(number, body): (usize, Option<Body>)| match body.map(|body| body.notation()) {
+            Some(notation) => format!(" {number} {notation} "),
+            None => format!(" {number} Rigid"),
+        };
+        self.groups().map(|group| group.bodies().map(label).collect()).collect()
+    }
+
+    /// The boxes from the top down, with the lines of each layer together.
+    fn boxes(&self, width: usize) -> Vec<Vec<String>> {
+        let (contacts, mut lines) = (self.contacts(), Vec::new());
+        for (i, (texts, group)) in self.texts().iter().zip(self.groups()).enumerate() {
             if i > 0 {
-                lines.push(format!("└{}┘", "─".repeat(width)));
+                lines.push(vec![format!("└{}┘", "─".repeat(width))]);
                 let gap = self.laminates[i - 1].gap().map(|gap| format!(", gap {}", gap.written_in(self.geometry)));
-                lines.push(centred(&format!("receding {}{}", contacts[i], gap.unwrap_or_default()), width));
+                lines.push(vec![centred(&format!("receding {}{}", contacts[i], gap.unwrap_or_default()), width)]);
             }
-            lines.push(format!("┌{}┐", "─".repeat(width)));
+            lines.push(vec![format!("┌{}┐", "─".repeat(width))]);
             for (j, text) in texts.iter().enumerate() {
                 if j > 0 {
                     let joint = format!(" {} ", group.joints()[j - 1]);
-                    lines.push(format!("├{joint:─^width$}┤"));
+                    lines.push(vec![format!("├{joint:─^width$}┤")]);
                 }
-                lines.extend(folded(text, width).iter().map(|line| format!("│{line:width$}│")));
+                lines.push(folded(text, width).iter().map(|line| format!("│{line:width$}│")).collect());
             }
         }
-        lines.push(format!("│{}│", "╱".repeat(width)));
-        lines.extend(self.left_out());
-        lines.join("\n")
+        lines.push(vec![format!("│{}│", "╱".repeat(width))]);
+        lines
     }
 
     /// A line that names the dropped layers.

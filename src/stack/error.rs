@@ -19,6 +19,16 @@ impl StackError {
         Self { item: Some(index), problem }
     }
 
+    /// The error in the body that presses on top.
+    pub(crate) fn of_second(problem: StackProblem) -> Self {
+        Self::whole(StackProblem::OfSecond(Box::new(problem)))
+    }
+
+    /// Whether it is about the body that presses on top.
+    pub(crate) fn is_of_second(&self) -> bool {
+        matches!(self.problem, StackProblem::OfSecond(_))
+    }
+
     /// The error at the layer of this number: layers and interfaces alternate.
     pub(super) fn of_layer(number: usize, problem: StackProblem) -> Self {
         Self::at(2 * (number - 1), problem)
@@ -82,6 +92,9 @@ impl StackError {
                 "give the material a finite slope at the face, e.g. by a table of values or by a thin layer of one material \
                  bonded to the face; inside a body, away from contacts, any variation is allowed"
             }
+            StackProblem::LooseCover(_) => "write `Bonded`, `Sliding` or `Spring(...)` between its layers",
+            StackProblem::OtherGeometry => "build both for the same geometry",
+            StackProblem::OfSecond(problem) => return Self::whole((**problem).clone()).hint(),
             StackProblem::Thickness { .. } | StackProblem::TooThick => return None,
         };
         Some(hint.to_owned())
@@ -129,6 +142,15 @@ pub enum StackProblem {
     /// Two gaps with nothing but layers of thickness zero between.
     #[error("there are two gaps with no layer between them")]
     TwoGaps,
+    /// A problem of the body that presses on top.
+    #[error("the body that presses on top: {0}")]
+    OfSecond(Box<StackProblem>),
+    /// Layers of the body that presses on top lie loose on each other.
+    #[error("its layers are loose at the interface {0}, and only the layers below it may be")]
+    LooseCover(Interface),
+    /// The body that presses on top was made for another geometry.
+    #[error("it belongs to another geometry")]
+    OtherGeometry,
     /// Two layers follow each other.
     #[error("no interface between {above} and {below}")]
     NoInterface {

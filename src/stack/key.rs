@@ -14,6 +14,8 @@ pub(crate) struct StackKey {
     /// The bodies and the joints of each group.
     groups: Vec<(Vec<Numbered>, Vec<Joint>)>,
     gaps: Gaps,
+    /// The body that presses on top.
+    second: Option<Box<StackKey>>,
 }
 
 /// A layer or a support with its number in the scene, `None` if it is rigid. Without a key of its own it is the same as nothing but itself:
@@ -42,7 +44,8 @@ impl Stack {
     pub(crate) fn key(&self) -> StackKey {
         let bodies = |group: &Group| group.bodies().map(|(number, body)| Numbered(number, body)).collect();
         let groups = self.groups().map(|group| (bodies(&group), group.joints().to_vec())).collect();
-        StackKey { geometry: self.geometry, pressure_on_top: self.pressure_on_top, groups, gaps: self.gaps() }
+        let second = self.second.as_ref().map(|second| Box::new(second.key()));
+        StackKey { geometry: self.geometry, pressure_on_top: self.pressure_on_top, groups, gaps: self.gaps(), second }
     }
 }
 

@@ -17,7 +17,12 @@ impl Stack {
         {
             placed.layer = last.layer;
         }
-        (Self { laminates, base, dropped: self.dropped.clone(), ..*self }, count)
+        let second = self.second.as_deref().map(|second| {
+            let (second, merged) = second.merged();
+            count += merged;
+            second.into()
+        });
+        (Self { laminates, base, dropped: self.dropped.clone(), second, ..*self }, count)
     }
 }
 

@@ -63,6 +63,8 @@ pub struct Stack {
     laminates: Vec<Laminate>,
     base: Base,
     dropped: Vec<Placed>,
+    /// The elastic body that presses on the top face, if there is one.
+    second: Option<Arc<Stack>>,
 }
 
 /// A layer and its number.
@@ -213,6 +215,38 @@ impl Stack {
     pub(crate) fn check_punch(&self, material: &Isotropic) -> Result<(), StackError> {
         let material = material.material(self.plane());
         contrast::check(self, Some(material)).map_err(|StackError { problem, .. }| StackError::whole(problem))
+    }
+
+    /// The same stack under a second body, which presses on its top face in place of a rigid punch: another stack, seen from its own top face
+    /// inwards. All of it is joined to its base, and any punch presses both together with its profile.
+    ///
+    /// ```
+    /// use recede::{Homogeneous, Model, Plane, Punch, Stack};
+    /// let cover = || Stack::builder(Plane::Strain).layer(Homogeneous::new(1.0, 1.0, 0.3)?).bonded().rigid().build();
+    /// let roller = Punch::parabola(100.0)?;
+    /// // two equal covers share what one of them has under twice the curvature
+    /// let both = Model::new(cover()?.under(cover()?)?)?.press(&roller, 0.01)?;
+    /// let one = Model::new(cover()?)?.press(Punch::parabola(200.0)?, 0.01)?;
+    /// assert!((both.contacts()[0].reach() / one.contacts()[0].reach() - 1.0).abs() < 1e-10);
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StackError`] if layers of the second body are loose, if it belongs to another geometry, or if moduli differ by more than [`MAX_CONTRAST`].
+    pub fn under(self, second: Self) -> Result<Self, StackError> {
+        if let Some(loose) = second.contacts().get(1) {
+            return Err(StackError::of_second(StackProblem::LooseCover(*loose)));
+        }
+        if second.geometry != self.geometry {
+            return Err(StackError::of_second(StackProblem::OtherGeometry));
+        }
+        let both = Self { second: Some(Arc::new(second)), ..self };
+        contrast::check(&both, None).map(|()| both)
+    }
+
+    /// The elastic body that presses on the top face in place of a rigid punch, if there is one.
+    pub fn second(&self) -> Option<&Self> {
+        self.second.as_deref()
     }
 
     /// Plane, and in which way, or axisymmetric.

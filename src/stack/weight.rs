@@ -32,13 +32,19 @@ impl Stack {
         all.layers.extend(joined.layers.iter().cloned());
         all.joints.extend(&joined.joints);
         let base = Base { joined: all, foundation: foundation.clone() };
-        Some(Self { laminates: loose.to_vec(), base, dropped: self.dropped.clone(), ..*self })
+        Some(Self {
+            laminates: loose.to_vec(),
+            base,
+            dropped: self.dropped.clone(),
+            second: self.second.clone(),
+            ..*self
+        })
     }
 
     /// The laminates that are pressed together, and the base, as a stack of their own.
     pub(crate) fn pressed(&self) -> Self {
         let laminates = self.laminates[self.loose()..].to_vec();
-        Self { laminates, base: self.base.clone(), dropped: self.dropped.clone(), ..*self }
+        Self { laminates, base: self.base.clone(), dropped: self.dropped.clone(), second: self.second.clone(), ..*self }
     }
 }
 

@@ -1,0 +1,113 @@
+//! A cylinder or sphere with elastic layers on its core, as it is written.
+use recede_layers::tree::Node;
+use recede_layers::{Positive, described};
+use schemars::JsonSchema;
+use serde::de::{self, IgnoredAny};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, ser};
+
+use super::item::Item;
+use super::origin::{Origin, SceneError};
+use super::read::read_item;
+use super::value::ValueError;
+use crate::geometry::Geometry;
+
+/// A circular cylinder with elastic layers on its core, see [`Punch::Covered`](crate::Punch::Covered).
+#[derive(Clone, Debug)]
+pub struct Covered {
+    radius: Positive,
+    /// From the outer face inwards, ending in the core.
+    items: Vec<Item>,
+}
+
+/// The fields as written in a scene.
+#[derive(Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, rename = "Covered")]
+#[expect(dead_code, reason = "layers and core are read from the tree")]
+struct CoveredFields {
+    /// Radius R of the outer face, in length.
+    radius: Positive,
+    /// The layers and the interfaces between them, from the outer face inwards; they are thin compared with the radius.
+    #[schemars(with = "LayersForm")]
+    layers: IgnoredAny,
+    /// What the last layer lies on, bonded unless an interface stands between: `Rigid`, or a half-plane for an elastic core.
+    #[schemars(with = "CoreForm")]
+    core: IgnoredAny,
+}
+
+/// The forms of layers and core in a scene.
+struct LayersForm;
+struct CoreForm;
+
+described!(Covered by CoveredFields);
+described!(LayersForm in "a list in `[` and `]` of layers and interfaces in turn");
+described!(CoreForm in "a base, as at the bottom of a stack");
+
+/// Names of the fields.
+const LAYERS: &str = "layers";
+const CORE: &str = "core";
+
+impl Covered {
+    /// A cylinder of radius R > 0, in length, with these items from its outer face inwards, ending in the core, as in a stack.
+    pub(super) fn new(radius: f64, items: Vec<Item>) -> Result<Self, ValueError> {
+        Ok(Self { radius: ValueError::checked("radius", radius)?, items })
+    }
+
+    /// Radius R of the outer face, in length.
+    pub fn radius(&self) -> f64 {
+        self.radius.get()
+    }
+
+    /// The layers and the interfaces between them from the outer face inwards, and the core as the last item.
+    pub fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// Reads the punch from a scene of this geometry.
+    pub(super) fn read(node: &Node, geometry: Geometry, origin: &Origin) -> Result<Self, SceneError> {
+        let owner = "the punch";
+        let fields = node.read_inner::<CoveredFields>();
+        let CoveredFields { radius, .. } = fields.map_err(|error| {
+            let form = recede_layers::description::Value::of::<Self>();
+            origin.explained(node, owner, Some(&form), error)
+        })?;
+        let [layers, core] = [LAYERS, CORE].map(|name| node.field(name).unwrap_or(node));
+        let mut items = Vec::new();
+        for (index, item) in origin.list(layers, &format!("`{LAYERS}` of {owner}"))?.iter().enumerate() {
+            items.push(read_item(item, index / 2 + 1, geometry, origin)?);
+        }
+        if items.last().is_some_and(|last| !last.is_interface()) {
+            items.push(Item::Bonded);
+        }
+        items.push(read_item(core, items.len() / 2 + 1, geometry, origin)?);
+        Ok(Self { radius, items })
+    }
+
+    /// As it is written in a scene of this geometry.
+    pub(super) fn written(&self, geometry: Geometry) -> String {
+        let (core, layers) =
+            self.items.split_last().map_or((String::new(), &[][..]), |(core, layers)| (core.written(geometry), layers));
+        let layers: Vec<String> = layers.iter().map(|item| item.written(geometry)).collect();
+        format!("Covered(radius: {:?}, {LAYERS}: [{}], {CORE}: {core})", self.radius(), layers.join(", "))
+    }
+}
+
+impl PartialEq for Covered {
+    /// Whether both are written alike.
+    fn eq(&self, other: &Self) -> bool {
+        self.written(Geometry::PlaneStrain) == other.written(Geometry::PlaneStrain)
+    }
+}
+
+impl Serialize for Covered {
+    /// Layers are written by their own notation.
+    fn serialize<S: Serializer>(&self, _: S) -> Result<S::Ok, S::Error> {
+        Err(ser::Error::custom("a covered punch is written by its own notation"))
+    }
+}
+
+impl<'de> Deserialize<'de> for Covered {
+    /// Layers are read through a registry of their types, which only a scene has.
+    fn deserialize<D: Deserializer<'de>>(_: D) -> Result<Self, D::Error> {
+        Err(de::Error::custom("`Covered` is the only punch of a scene, `punch: Covered(...)`"))
+    }
+}
