@@ -94,6 +94,8 @@ class Writer:
     def types(self, owner: str, field: str, schema: dict[str, Any]) -> tuple[str, str]:
         """The types of an attribute, and of the argument that it is given by."""
         plain = {"number": ("float | str", "Number"), "integer": ("int", "int"), "boolean": ("bool", "bool"), "string": ("str", "str")}
+        if schema.get("$ref", "").endswith("stack/items"):
+            return "StackItem", "StackItem"
         choices = [one for one in alternatives(schema) if one.get("type") != "null"]
         if any(is_name(name) for one in choices for name in (*one.get("properties", {}), *one.get("enum", []), one.get("const", ""))):
             group = self.group(field, named(choices))

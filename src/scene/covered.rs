@@ -1,7 +1,8 @@
 //! A cylinder or sphere with elastic layers on its core, as it is written.
+use recede_layers::description::Value;
 use recede_layers::tree::Node;
 use recede_layers::{Positive, described};
-use schemars::JsonSchema;
+use schemars::{JsonSchema, json_schema};
 use serde::de::{self, IgnoredAny};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, ser};
 
@@ -39,8 +40,13 @@ struct LayersForm;
 struct CoreForm;
 
 described!(Covered by CoveredFields);
-described!(LayersForm in "a list in `[` and `]` of layers and interfaces in turn");
-described!(CoreForm in "a base, as at the bottom of a stack");
+described!(LayersForm, |_| {
+    let items = json_schema!({"type": "array", "items": {"$ref": "#/properties/stack/items"}});
+    Value::described("a list in `[` and `]` of layers and interfaces in turn", items)
+});
+described!(CoreForm, |_| {
+    Value::described("a base, as at the bottom of a stack", json_schema!({"$ref": "#/properties/stack/items"}))
+});
 
 /// Names of the fields.
 const LAYERS: &str = "layers";
@@ -66,10 +72,8 @@ impl Covered {
     pub(super) fn read(node: &Node, geometry: Geometry, origin: &Origin) -> Result<Self, SceneError> {
         let owner = "the punch";
         let fields = node.read_inner::<CoveredFields>();
-        let CoveredFields { radius, .. } = fields.map_err(|error| {
-            let form = recede_layers::description::Value::of::<Self>();
-            origin.explained(node, owner, Some(&form), error)
-        })?;
+        let CoveredFields { radius, .. } =
+            fields.map_err(|error| origin.explained(node, owner, Some(&Value::of::<Self>()), error))?;
         let [layers, core] = [LAYERS, CORE].map(|name| node.field(name).unwrap_or(node));
         let mut items = Vec::new();
         for (index, item) in origin.list(layers, &format!("`{LAYERS}` of {owner}"))?.iter().enumerate() {
