@@ -6,22 +6,24 @@ use super::case::{Case, Found, Value};
 const HEAD: &str = "\
 # Gallery
 
-Real cases with their units, each a scene in `examples/gallery` that can be solved, drawn and varied: `recede solve examples/gallery/rail_pad.ron`, for example.
+Real cases with their units, each a scene in `examples/gallery`: `recede solve examples/gallery/rail_pad.ron`, for example.
 
-Values of materials are typical and rounded, not measured on a product; where a standard gives one, it is named. Everything is linear and without
-friction; *Idealised* lists what a case leaves out. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length out of
-the plane. The *width* of a contact is the distance from its left end to its right end (twice the half-length), or its diameter. [troubleshooting.md](troubleshooting.md) explains the
-codes of warnings.
+Values of materials are typical, not measured on a product; a standard is named where it gives one. *Idealised* lists what a case leaves out besides
+friction. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length. The *width* of a contact is twice its half-length, or
+its diameter. A place x (or r) follows in brackets where it is not the middle, after a largest shear stress place and depth. [Troubleshooting](troubleshooting.md#warnings) explains the
+warnings.
 ";
 
 const FOOT: &str = "
 ## How this page is made
 
-`cargo run --release --example gallery` writes it from the scenes: the texts are their first comments, the pictures are drawn by `recede plot`, and the numbers are
-computed. `tests/gallery.rs` repeats this and compares.
+`cargo run --release --example gallery` writes it: texts are the first comments of the scenes, pictures are drawn by `recede plot`. `tests/gallery.rs` compares.
 ";
 /// Paragraphs that begin with one of these words and a colon have it in bold type.
 const KINDS: [&str; 3] = ["Learnt", "Idealised", "Values"];
+
+/// How the row of the depth of the largest shear stress begins.
+const DEPTH: &str = "its depth";
 
 /// The whole page: every case with what is found for it.
 pub fn markdown(cases: &[(Case, Vec<Found>)]) -> String {
@@ -60,11 +62,14 @@ fn table(columns: &[Found], geometry: Geometry) -> String {
     let row = |first: &str, cells: Vec<String>| format!("| {first} | {} |\n", cells.join(" | "));
     let mut text = row("", columns.iter().map(|column| escaped(&column.label)).collect());
     text += &row("---", columns.iter().map(|_| "---".to_owned()).collect());
-    for name in names {
-        let cells = columns
-            .iter()
-            .map(|column| column.number(name).map_or("–".to_owned(), |value| written(value, geometry)))
-            .collect();
+    // depths are written behind the stress
+    for name in names.into_iter().filter(|name| !name.starts_with(DEPTH)) {
+        let cell = |column: &Found| {
+            let depth = column.numbers.iter().find(|(other, _)| other.starts_with(DEPTH)).map(|(_, depth)| *depth);
+            let depth = depth.filter(|_| name.starts_with("largest shear stress"));
+            column.number(name).map_or("–".to_owned(), |value| written(value, depth, geometry))
+        };
+        let cells = columns.iter().map(cell).collect();
         text += &row(&escaped(name), cells);
     }
     text
@@ -75,23 +80,25 @@ fn escaped(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
-/// Four digits, and where it is if that is not the middle.
-fn written(value: Value, geometry: Geometry) -> String {
+/// Four digits, then in brackets where it is, if that is not the middle, and its depth.
+fn written(value: Value, depth: Option<Value>, geometry: Geometry) -> String {
     let digits = |x: f64| format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string();
     let number = if value.number.is_finite() { digits(value.number) } else { "infinite".to_owned() };
-    let place = match geometry {
-        Geometry::Axisymmetric => format!("r = {}", digits(value.at)),
-        _ if value.is_mirrored => format!("x = ±{}", digits(value.at)),
-        _ => format!("x = {}", digits(value.at)),
-    };
-    if value.at != 0.0 { format!("{number}, at {place}") } else { number }
+    let on_both_sides = value.is_mirrored && value.at != 0.0 && geometry != Geometry::Axisymmetric;
+    let place = format!("{}{}", if on_both_sides { "±" } else { "" }, digits(value.at));
+    match depth {
+        Some(depth) => format!("{number} ({place}, {})", digits(depth.number)),
+        None if value.at != 0.0 => format!("{number} ({place})"),
+        None => number,
+    }
 }
 
+/// The columns that have warnings, and their codes, in a line.
 fn warnings(columns: &[Found]) -> String {
-    let lines = columns.iter().filter(|column| !column.solution.warnings().is_empty()).map(|column| {
-        let codes: Vec<String> =
-            column.solution.warnings().iter().map(|warning| format!("`{}`", warning.code.as_str())).collect();
-        format!("\nWarnings, {}: {}\n", column.label, codes.join(", "))
+    let warned = columns.iter().filter(|column| !column.solution.warnings().is_empty()).map(|column| {
+        let codes = column.solution.warnings().iter().map(|warning| format!("`{}`", warning.code.as_str()));
+        format!("{}: {}", column.label, codes.collect::<Vec<_>>().join(", "))
     });
-    lines.collect()
+    let warned: Vec<String> = warned.collect();
+    if warned.is_empty() { String::new() } else { format!("\nWarnings, {}\n", warned.join("; ")) }
 }
