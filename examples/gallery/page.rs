@@ -8,9 +8,9 @@ const HEAD: &str = "\
 
 Real cases with their units, each a scene in `examples/gallery`: `recede solve examples/gallery/rail_pad.ron`, for example.
 
-Values of materials are typical, not measured on a product; a standard is named where it gives one. *Idealised* lists what a case leaves out besides
+Values of materials are typical, not measured on a product. *Idealised* lists what a case leaves out besides
 friction. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length. The *width* of a contact is twice its half-length, or
-its diameter. A place x (or r) follows in brackets where it is not the middle, after a largest shear stress place and depth. [Troubleshooting](troubleshooting.md#warnings) explains the
+its diameter. In brackets follows the place x (or r) of a pressure that is not largest in the middle; place and depth of the largest shear stress. [Troubleshooting](troubleshooting.md#warnings) explains the
 warnings.
 ";
 
@@ -24,6 +24,9 @@ const KINDS: [&str; 3] = ["Learnt", "Idealised", "Values"];
 
 /// How the row of the depth of the largest shear stress begins.
 const DEPTH: &str = "its depth";
+/// What the rows of an interval have in their names.
+const LEFT: &str = ": left end of interval";
+const WIDTH: &str = ": width of interval";
 
 /// The whole page: every case with what is found for it.
 pub fn markdown(cases: &[(Case, Vec<Found>)]) -> String {
@@ -62,15 +65,19 @@ fn table(columns: &[Found], geometry: Geometry) -> String {
     let row = |first: &str, cells: Vec<String>| format!("| {first} | {} |\n", cells.join(" | "));
     let mut text = row("", columns.iter().map(|column| escaped(&column.label)).collect());
     text += &row("---", columns.iter().map(|_| "---".to_owned()).collect());
-    // depths are written behind the stress
-    for name in names.into_iter().filter(|name| !name.starts_with(DEPTH)) {
+    // depths are written behind the stress, widths of intervals behind their left ends
+    for name in names.into_iter().filter(|name| !name.starts_with(DEPTH) && !name.contains(WIDTH)) {
         let cell = |column: &Found| {
             let depth = column.numbers.iter().find(|(other, _)| other.starts_with(DEPTH)).map(|(_, depth)| *depth);
             let depth = depth.filter(|_| name.starts_with("largest shear stress"));
+            let width = name.contains(LEFT).then(|| column.number(&name.replace(LEFT, WIDTH))).flatten();
+            if let (Some(left), Some(width)) = (column.number(name), width) {
+                return format!("{} to {}", digits(left.number), digits(left.number + width.number));
+            }
             column.number(name).map_or("–".to_owned(), |value| written(value, depth, geometry))
         };
         let cells = columns.iter().map(cell).collect();
-        text += &row(&escaped(name), cells);
+        text += &row(&escaped(&name.replace(LEFT, ": interval")), cells);
     }
     text
 }
@@ -80,9 +87,12 @@ fn escaped(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
+fn digits(x: f64) -> String {
+    format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string()
+}
+
 /// Four digits, then in brackets where it is, if that is not the middle, and its depth.
 fn written(value: Value, depth: Option<Value>, geometry: Geometry) -> String {
-    let digits = |x: f64| format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string();
     let number = if value.number.is_finite() { digits(value.number) } else { "infinite".to_owned() };
     let on_both_sides = value.is_mirrored && value.at != 0.0 && geometry != Geometry::Axisymmetric;
     let place = format!("{}{}", if on_both_sides { "±" } else { "" }, digits(value.at));
