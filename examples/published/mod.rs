@@ -8,11 +8,11 @@ const CERTAIN: f64 = 0.05;
 const HEAD: &str = "\
 # Published numbers, computed again
 
-Numbers from the literature ([references.md](references.md)) next to the same numbers computed with `recede`. The *difference* is
+Numbers from the literature ([references.md](references.md)) next to the same numbers computed with `recede`. Where a published number is not the computed one
+rounded to as many digits, there follows in brackets
 
-* –, if the published number is the computed one rounded to as many digits;
-* last digit, if it differs by one in the last printed digit (often cut off instead of rounded);
-* otherwise the published number minus the computed one, in per cent of the computed one; the text above the table gives the reason.
+* *last digit*, if it differs by one in the last printed digit (often cut off instead of rounded);
+* otherwise the difference in per cent, published minus computed; the text above the table gives the reason.
 
 Every difference is an error of the publication: the estimated error of each computed number is less than a twentieth of the last printed digit, and
 [accuracy.md](accuracy.md#error-estimates) shows that such estimates hold.
@@ -99,16 +99,16 @@ impl Number {
         self.error < CERTAIN * self.unit()
     }
 
-    /// Published number, computed number and difference as cells of a table.
+    /// Published number with its difference, and computed number as cells of a table.
     fn cells(&self) -> String {
         let difference = match self.verdict() {
-            Verdict::SameDigits => "–".to_owned(),
-            Verdict::LastDigit => "last digit".to_owned(),
-            Verdict::Source => format!("{:+.2}", 100.0 * self.difference()),
-            Verdict::Misprint => "misprint".to_owned(),
+            Verdict::SameDigits => String::new(),
+            Verdict::LastDigit => " (last digit)".to_owned(),
+            Verdict::Source => format!(" ({:+.2})", 100.0 * self.difference()),
+            Verdict::Misprint => " (misprint)".to_owned(),
         };
         let decimals = self.decimals() + 2;
-        format!("{} | {:.decimals$} | {difference}", self.published, self.computed)
+        format!("{}{difference} | {:.decimals$}", self.published, self.computed)
     }
 }
 
@@ -139,7 +139,7 @@ impl Table {
         }
     }
 
-    /// A row for the numbers of each thing, with three columns for each quantity.
+    /// A row for the numbers of each thing, with two columns for each quantity.
     fn rows(&self) -> String {
         let (of, values) = self.of();
         let mut columns: Vec<&str> = Vec::new();
@@ -148,13 +148,13 @@ impl Table {
                 columns.push(column);
             }
         }
-        let head: String = columns.iter().map(|column| format!(" {column} | computed | difference |")).collect();
-        let mut text = format!("| {of} |{head}\n{}|\n", "|---".repeat(1 + 3 * columns.len()));
+        let head: String = columns.iter().map(|column| format!(" {column} | computed |")).collect();
+        let mut text = format!("| {of} |{head}\n{}|\n", "|---".repeat(1 + 2 * columns.len()));
         let mut begun = 0;
         for own in self.numbers.chunk_by(|a, b| a.of == b.of) {
             let cells = |column: &&str| own.iter().find(|number| number.column() == *column).map(Number::cells);
             let cells: Vec<String> =
-                columns.iter().map(|column| cells(column).unwrap_or("| |".to_owned())).collect();
+                columns.iter().map(|column| cells(column).unwrap_or("|".to_owned())).collect();
             text += &format!("| {} | {} |\n", values[begun], cells.join(" | "));
             begun += own.len();
         }
