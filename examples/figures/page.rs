@@ -21,9 +21,7 @@ them, h₁ = h₂, μ₁ = μ₃, μ₁h₁/P = 500, R/h₁ = 500, and ν = 1/4 
 ";
 
 const FOOT: &str = "
-## How this page is made
-
-`cargo run --release --example figures` draws the figures, tests the statements, and writes the page.
+`cargo run --release --example figures` makes this page.
 ";
 
 /// Paths of a scene and the values there.

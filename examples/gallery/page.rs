@@ -10,14 +10,14 @@ Real cases with their units, each a scene in `examples/gallery`: `recede solve e
 
 Values of materials are typical, not measured on a product. *Idealised* lists what a case leaves out besides
 friction. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length. The *width* of a contact is twice its half-length, or
-its diameter. In brackets follows the place x (or r) of a pressure that is not largest in the middle; place and depth of the largest shear stress. [Troubleshooting](troubleshooting.md#warnings) explains the
+its diameter. In brackets follows the place of a pressure that is largest outside the middle, and place and depth of the largest shear stress. [Troubleshooting](troubleshooting.md#warnings) explains the
 warnings.
 ";
 
 const FOOT: &str = "
 ## How this page is made
 
-`cargo run --release --example gallery` writes it: texts are the first comments of the scenes, pictures are drawn by `recede plot`. `tests/gallery.rs` compares.
+`cargo run --release --example gallery` makes it: texts are the first comments of the scenes.
 ";
 /// Paragraphs that begin with one of these words and a colon have it in bold type.
 const KINDS: [&str; 3] = ["Learnt", "Idealised", "Values"];

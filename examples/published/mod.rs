@@ -163,9 +163,7 @@ impl Table {
 }
 
 const FOOT: &str = "
-## How this page is made
-
-`cargo run --release --example published_tables` writes it; `tests/examples.rs` compares, and checks that differences stay within the bounds in `examples/published`.
+`cargo run --release --example published_tables` makes this page.
 ";
 
 /// How many numbers were printed right.
