@@ -103,12 +103,21 @@ fn written(value: Value, depth: Option<Value>, geometry: Geometry) -> String {
     }
 }
 
-/// The columns that have warnings, and their codes, in a line.
+/// The codes of warnings in a line, with the columns that have them unless all do.
 fn warnings(columns: &[Found]) -> String {
-    let warned = columns.iter().filter(|column| !column.solution.warnings().is_empty()).map(|column| {
-        let codes = column.solution.warnings().iter().map(|warning| format!("`{}`", warning.code.as_str()));
-        format!("{}: {}", column.label, codes.collect::<Vec<_>>().join(", "))
+    let codes = |column: &Found| column.solution.warnings().iter().map(|warning| warning.code.as_str()).collect();
+    let codes: Vec<Vec<&str>> = columns.iter().map(codes).collect();
+    let mut distinct: Vec<&str> = Vec::new();
+    for code in codes.iter().flatten() {
+        if !distinct.contains(code) {
+            distinct.push(code);
+        }
+    }
+    let written = distinct.into_iter().map(|code| {
+        let warned = columns.iter().zip(&codes).filter(|(_, codes)| codes.contains(&code));
+        let labels: Vec<&str> = warned.map(|(column, _)| &column.label[..]).collect();
+        if labels.len() == columns.len() { format!("`{code}`") } else { format!("`{code}` ({})", labels.join("; ")) }
     });
-    let warned: Vec<String> = warned.collect();
-    if warned.is_empty() { String::new() } else { format!("\nWarnings, {}\n", warned.join("; ")) }
+    let written: Vec<String> = written.collect();
+    if written.is_empty() { String::new() } else { format!("\nWarnings: {}\n", written.join(", ")) }
 }
