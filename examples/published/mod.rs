@@ -153,8 +153,7 @@ impl Table {
         let mut begun = 0;
         for own in self.numbers.chunk_by(|a, b| a.of == b.of) {
             let cells = |column: &&str| own.iter().find(|number| number.column() == *column).map(Number::cells);
-            let cells: Vec<String> =
-                columns.iter().map(|column| cells(column).unwrap_or("|".to_owned())).collect();
+            let cells: Vec<String> = columns.iter().map(|column| cells(column).unwrap_or("|".to_owned())).collect();
             text += &format!("| {} | {} |\n", values[begun], cells.join(" | "));
             begun += own.len();
         }
