@@ -53,7 +53,7 @@ pub fn draw(folder: &Path) -> Result<(), Box<dyn Error>> {
     let found = page.half_lengths([7, 8], "", &base, ("βh₂", &SOFT_NEUTRAL_HARD), stiffened)?;
     page.says(7, "a falls as the half-plane gets stiffer", found.all(0, falls));
     page.says(7, "a soft half-plane gives a small advancing contact (the paper's conclusion)", found.all(0, rises));
-    page.adds(7, "the conclusion contradicts its figure, which is right: a soft half-plane gives a large one");
+    page.adds(7, "the conclusion contradicts its figure, which is right");
     page.says(8, "b falls as the half-plane gets stiffer", found.all(1, falls));
 
     // Figures 9 and 10: half-lengths over the thickness of the graded layer, whose moduli at both faces stay the same

@@ -11,20 +11,17 @@ const FRAME: Frame = Frame { left: 58.0, top: 12.0, right: 318.0, bottom: 192.0 
 const SIZE: (f64, f64) = (430.0, 236.0);
 /// Points of a pressure.
 const POINTS: usize = 160;
-const CONTACTS: [&str; 2] = ["advancing contact, under the punch", "receding contact, on the half-plane"];
+const CONTACTS: [&str; 2] = ["advancing contact", "receding contact"];
 
 const HEAD: &str = "\
 # The paper's figures, drawn again
 
-Figures of the [source paper](../references.md#the-source-paper), each with the statements that the paper makes about it and whether they hold. Where a figure does not vary
-them, h₁ = h₂, μ₁ = μ₃, μ₁h₁/P = 500, R/h₁ = 500, and ν = 1/4 in plane strain. The figures of the full model are not available as
-numbers, so radii and ranges are taken from the paper's text where it gives them, and are chosen where it does not.
+Figures of the [source paper](../references.md#the-source-paper), and whether the paper's statements about them hold. Where a figure does not vary
+them, h₁ = h₂, μ₁ = μ₃, μ₁h₁/P = 500, R/h₁ = 500, and ν = 1/4 in plane strain. Radii and ranges that the paper's text does not give are chosen.
 ";
 
 const FOOT: &str = "
-## How this page is made
-
-`cargo run --release --example figures` draws the figures, tests the statements, and writes the page.
+`cargo run --release --example figures` makes this page.
 ";
 
 /// Paths of a scene and the values there.

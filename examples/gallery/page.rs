@@ -6,22 +6,27 @@ use super::case::{Case, Found, Value};
 const HEAD: &str = "\
 # Gallery
 
-Real cases with their units, each a scene in `examples/gallery` that can be solved, drawn and varied: `recede solve examples/gallery/rail_pad.ron`, for example.
+Real cases with their units, each a scene in `examples/gallery`: `recede solve examples/gallery/rail_pad.ron`, for example.
 
-Values of materials are typical and rounded, not measured on a product; where a standard gives one, it is named. Everything is linear and without
-friction; *Idealised* lists what a case leaves out. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length out of
-the plane. The *width* of a contact is the distance from its left end to its right end (twice the half-length), or its diameter. [troubleshooting.md](troubleshooting.md) explains the
-codes of warnings.
+Values of materials are typical, not measured on a product. *Idealised* lists what a case leaves out besides
+friction. The last three cases are axisymmetric, the others plane strain, with forces and stiffnesses per unit length. The *width* of a contact is twice its half-length, or
+its diameter. In brackets follows the place of a pressure that is largest outside the middle, and place and depth of the largest shear stress. [Troubleshooting](troubleshooting.md#warnings) explains the
+warnings.
 ";
 
 const FOOT: &str = "
 ## How this page is made
 
-`cargo run --release --example gallery` writes it from the scenes: the texts are their first comments, the pictures are drawn by `recede plot`, and the numbers are
-computed. `tests/gallery.rs` repeats this and compares.
+`cargo run --release --example gallery` makes it: texts are the first comments of the scenes.
 ";
 /// Paragraphs that begin with one of these words and a colon have it in bold type.
 const KINDS: [&str; 3] = ["Learnt", "Idealised", "Values"];
+
+/// How the row of the depth of the largest shear stress begins.
+const DEPTH: &str = "its depth";
+/// What the rows of an interval have in their names.
+const LEFT: &str = ": left end of interval";
+const WIDTH: &str = ": width of interval";
 
 /// The whole page: every case with what is found for it.
 pub fn markdown(cases: &[(Case, Vec<Found>)]) -> String {
@@ -60,12 +65,19 @@ fn table(columns: &[Found], geometry: Geometry) -> String {
     let row = |first: &str, cells: Vec<String>| format!("| {first} | {} |\n", cells.join(" | "));
     let mut text = row("", columns.iter().map(|column| escaped(&column.label)).collect());
     text += &row("---", columns.iter().map(|_| "---".to_owned()).collect());
-    for name in names {
-        let cells = columns
-            .iter()
-            .map(|column| column.number(name).map_or("–".to_owned(), |value| written(value, geometry)))
-            .collect();
-        text += &row(&escaped(name), cells);
+    // depths are written behind the stress, widths of intervals behind their left ends
+    for name in names.into_iter().filter(|name| !name.starts_with(DEPTH) && !name.contains(WIDTH)) {
+        let cell = |column: &Found| {
+            let depth = column.numbers.iter().find(|(other, _)| other.starts_with(DEPTH)).map(|(_, depth)| *depth);
+            let depth = depth.filter(|_| name.starts_with("largest shear stress"));
+            let width = name.contains(LEFT).then(|| column.number(&name.replace(LEFT, WIDTH))).flatten();
+            if let (Some(left), Some(width)) = (column.number(name), width) {
+                return format!("{} to {}", digits(left.number), digits(left.number + width.number));
+            }
+            column.number(name).map_or("–".to_owned(), |value| written(value, depth, geometry))
+        };
+        let cells = columns.iter().map(cell).collect();
+        text += &row(&escaped(&name.replace(LEFT, ": interval")), cells);
     }
     text
 }
@@ -75,23 +87,37 @@ fn escaped(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
-/// Four digits, and where it is if that is not the middle.
-fn written(value: Value, geometry: Geometry) -> String {
-    let digits = |x: f64| format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string();
-    let number = if value.number.is_finite() { digits(value.number) } else { "infinite".to_owned() };
-    let place = match geometry {
-        Geometry::Axisymmetric => format!("r = {}", digits(value.at)),
-        _ if value.is_mirrored => format!("x = ±{}", digits(value.at)),
-        _ => format!("x = {}", digits(value.at)),
-    };
-    if value.at != 0.0 { format!("{number}, at {place}") } else { number }
+fn digits(x: f64) -> String {
+    format!("{x:.3e}").parse::<f64>().map_or(x, |rounded| rounded).to_string()
 }
 
+/// Four digits, then in brackets where it is, if that is not the middle, and its depth.
+fn written(value: Value, depth: Option<Value>, geometry: Geometry) -> String {
+    let number = if value.number.is_finite() { digits(value.number) } else { "infinite".to_owned() };
+    let on_both_sides = value.is_mirrored && value.at != 0.0 && geometry != Geometry::Axisymmetric;
+    let place = format!("{}{}", if on_both_sides { "±" } else { "" }, digits(value.at));
+    match depth {
+        Some(depth) => format!("{number} ({place}, {})", digits(depth.number)),
+        None if value.at != 0.0 => format!("{number} ({place})"),
+        None => number,
+    }
+}
+
+/// The codes of warnings in a line, with the columns that have them unless all do.
 fn warnings(columns: &[Found]) -> String {
-    let lines = columns.iter().filter(|column| !column.solution.warnings().is_empty()).map(|column| {
-        let codes: Vec<String> =
-            column.solution.warnings().iter().map(|warning| format!("`{}`", warning.code.as_str())).collect();
-        format!("\nWarnings, {}: {}\n", column.label, codes.join(", "))
+    let codes = |column: &Found| column.solution.warnings().iter().map(|warning| warning.code.as_str()).collect();
+    let codes: Vec<Vec<&str>> = columns.iter().map(codes).collect();
+    let mut distinct: Vec<&str> = Vec::new();
+    for code in codes.iter().flatten() {
+        if !distinct.contains(code) {
+            distinct.push(code);
+        }
+    }
+    let written = distinct.into_iter().map(|code| {
+        let warned = columns.iter().zip(&codes).filter(|(_, codes)| codes.contains(&code));
+        let labels: Vec<&str> = warned.map(|(column, _)| &column.label[..]).collect();
+        if labels.len() == columns.len() { format!("`{code}`") } else { format!("`{code}` ({})", labels.join("; ")) }
     });
-    lines.collect()
+    let written: Vec<String> = written.collect();
+    if written.is_empty() { String::new() } else { format!("\nWarnings: {}\n", written.join(", ")) }
 }

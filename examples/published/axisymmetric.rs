@@ -40,18 +40,17 @@ pub fn hayes() -> Result<Table, Error> {
         Ok((value, value * approach.error / approach.value))
     };
     for (a, soft, incompressible) in HAYES {
-        numbers.push(Number::new(format!("ν = 0.45, a/h = {a}"), "κ", soft, kappa(0.45, a)?));
+        numbers.push(Number::new(format!("a/h = {a}"), "κ, ν = 0.45", soft, kappa(0.45, a)?));
         if let Some(published) = incompressible {
-            numbers.push(Number::new(format!("ν = 0.5, a/h = {a}"), "κ (ν = 0.5)", published, kappa(0.5, a)?));
+            numbers.push(Number::new(format!("a/h = {a}"), "κ, ν = 0.5", published, kappa(0.5, a)?));
         }
     }
     Ok(Table {
         title: "A flat punch on cartilage: Hayes, Keer, Herrmann and Mockros 1972",
         about: "\
-The factor κ of the stiffness of a layer bonded to a rigid base under a flat-ended cylinder of radius a, F = 2aκ E δ/(1 − ν²), as in tables that are used for the
-indentation of cartilage and muscle. Their errors grow with the width of the punch. Here: `geometry: Axisymmetric` and
-`punch: Flat`.",
-        within: vec![("κ", 3e-2), ("κ (ν = 0.5)", 1e-2)],
+The factor κ of the stiffness F = 2aκ E δ/(1 − ν²) of a layer bonded to a rigid base under a flat-ended cylinder of radius a, from tables used for
+cartilage and muscle. Their errors grow with the width of the punch. Here: `geometry: Axisymmetric`, `punch: Flat`.",
+        within: vec![("κ, ν = 0.45", 3e-2), ("κ, ν = 0.5", 1e-2)],
         numbers,
     })
 }
@@ -72,9 +71,9 @@ pub fn dimitriadis() -> Result<Table, Error> {
     Ok(Table {
         title: "A sphere on a soft layer: Dimitriadis, Horkay, Maresca, Kachar and Chadwick 2002",
         about: "\
-The formula by which forces in atomic force microscopy are corrected for the stiff support of a thin sample: the force on an incompressible layer bonded to it, in relation to
-Hertz's F∞ = 16/9 E √R δ^(3/2), is 1 + 1.133χ + 1.283χ² + 0.769χ³ + 0.0975χ⁴ with χ = √(Rδ)/h; evaluated here. It is the beginning of a series in the contact radius over
-the thickness, and gives forces that are too low where that is not small: moduli found with it are too large by as much. Here: `punch: Parabola` and `depth`.",
+The formula that corrects forces in atomic force microscopy for the stiff support of a thin incompressible sample bonded to it: the force in relation to
+Hertz's F∞ = 16/9 E √R δ^(3/2) is 1 + 1.133χ + 1.283χ² + 0.769χ³ + 0.0975χ⁴ with χ = √(Rδ)/h. These are the first terms of a series in contact radius over
+thickness; where this ratio is not small the force is too low, and a modulus found with it too high. Here: `punch: Parabola` and `depth`.",
         within: vec![("F/F∞", 0.17)],
         numbers,
     })
@@ -110,18 +109,17 @@ pub fn amadeus() -> Result<Table, Error> {
             // compression is positive there
             let strain = -1e6 * if i == 0 { point.eps_xx } else { point.eps_yy };
             let quantity = ["ε_r, layer 1", "ε_z, layer 2", "ε_z, layer 3"][i];
-            let quantity = if i == 1 && slides { "ε_z, layer 2, sliding" } else { quantity };
+            let quantity = if i == 1 && slides { "ε_z, layer 2 (sliding)" } else { quantity };
             numbers.push(Number::new(of, quantity, published, (strain, error)));
         }
     }
     Ok(Table {
         title: "A wheel on a pavement: Amadeus 2000",
         about: "\
-The comparison of programs for pavements by a European project: strains in 10⁻⁶, compression positive, under the middle of a wheel of 0.7 MPa on a disc of radius 150.8 mm; 260 mm
-of E = 5000 MPa, 500 mm of 200 MPa on 50 MPa, with ν = 0.35, 0.40, 0.45; all bonded, and with the first interface sliding. Numbers as Skar and Andersen 2020 have
-them. Below the sliding interface the vertical strain nearly vanishes, since the contributions of the pressure and of the radial stress cancel: there the programs differ from it by
-up to twenty times the number, although by little more than 10⁻⁵ in absolute terms. Here: `load: Uniform(radius: 150.8)`, `Sliding`.",
-        within: vec![("ε_r, layer 1", 6e-3), ("ε_z, layer 2", 5e-4), ("ε_z, layer 3", 3e-3), ("ε_z, layer 2, sliding", 20.0)],
+A European project's comparison of programs for pavements, as quoted by Skar and Andersen 2020: strains in 10⁻⁶, compression positive, under the middle of a wheel of 0.7 MPa on a disc of
+radius 150.8 mm; 260 mm of E = 5000 MPa, 500 mm of 200 MPa on 50 MPa, with ν = 0.35, 0.40, 0.45; all bonded, or with the first interface sliding.
+Below the sliding interface the contributions of pressure and radial stress to the vertical strain nearly cancel, hence the large relative difference. Here: `load: Uniform(radius: 150.8)`, `Sliding`.",
+        within: vec![("ε_r, layer 1", 6e-3), ("ε_z, layer 2", 5e-4), ("ε_z, layer 3", 3e-3), ("ε_z, layer 2 (sliding)", 20.0)],
         numbers,
     })
 }

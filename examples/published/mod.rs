@@ -8,22 +8,21 @@ const CERTAIN: f64 = 0.05;
 const HEAD: &str = "\
 # Published numbers, computed again
 
-Numbers from the literature next to the same numbers computed with `recede`. The *difference* is
+Numbers from the literature ([references.md](references.md)) next to the same numbers computed with `recede`. Where a published number is not the computed one
+rounded to as many digits, there follows in brackets
 
-* –, if the published number is the computed one rounded to as many digits;
-* last digit, if it differs by one in the last printed digit (often because a number was cut off instead of rounded);
-* otherwise the published number minus the computed one, relative to the computed one; the text above the table gives the reason.
+* *last digit*, if it differs by one in the last printed digit (often cut off instead of rounded);
+* otherwise the difference in per cent, published minus computed; the text above the table gives the reason.
 
 Every difference is an error of the publication: the estimated error of each computed number is less than a twentieth of the last printed digit, and
-[accuracy.md](accuracy.md) shows that these estimates hold. The publications are listed in [references.md](references.md). Numbers read from curves are left out;
-the figures of the source paper are drawn again in [figures](figures/README.md).
+[accuracy.md](accuracy.md#error-estimates) shows that such estimates hold.
 ";
 
 /// A published number, and the same computed here.
 pub struct Number {
     /// Of what, as a cell of a table.
     pub of: String,
-    /// Which quantity, as a cell of a table.
+    /// Which quantity; what stands in brackets is not in the head of its column.
     pub quantity: &'static str,
     /// As printed, so that its digits are known.
     pub published: String,
@@ -58,6 +57,11 @@ impl Number {
     pub fn new(of: impl Into<String>, quantity: &'static str, published: &str, (computed, error): (f64, f64)) -> Self {
         let published = published.to_owned();
         Self { of: of.into(), quantity, published, computed, error, misprinted: false }
+    }
+
+    /// The head of its column.
+    fn column(&self) -> &'static str {
+        self.quantity.split(" (").next().unwrap_or_default()
     }
 
     fn decimals(&self) -> usize {
@@ -95,16 +99,16 @@ impl Number {
         self.error < CERTAIN * self.unit()
     }
 
-    /// Published number, computed number and difference as cells of a table.
+    /// Published number with its difference, and computed number as cells of a table.
     fn cells(&self) -> String {
         let difference = match self.verdict() {
-            Verdict::SameDigits => "–".to_owned(),
-            Verdict::LastDigit => "last digit".to_owned(),
-            Verdict::Source => format!("{:+.2} %", 100.0 * self.difference()),
-            Verdict::Misprint => "misprint".to_owned(),
+            Verdict::SameDigits => String::new(),
+            Verdict::LastDigit => " (last digit)".to_owned(),
+            Verdict::Source => format!(" ({:+.2})", 100.0 * self.difference()),
+            Verdict::Misprint => " (misprint)".to_owned(),
         };
         let decimals = self.decimals() + 2;
-        format!("{} | {:.decimals$} | {difference}", self.published, self.computed)
+        format!("{}{difference} | {:.decimals$}", self.published, self.computed)
     }
 }
 
@@ -116,11 +120,7 @@ impl Table {
     }
 
     fn markdown(&self) -> String {
-        let within = self.within.iter().map(|(quantity, part)| format!("{quantity} within {:.2} %", 100.0 * part));
-        let within = within.collect::<Vec<_>>().join(", ");
-        let counted = counted(self.numbers.iter());
-        let about = format!("\n## {}\n\n{}\n\n{counted} Differences: {within}.\n\n", self.title, self.about);
-        about + &self.in_pairs().unwrap_or_else(|| self.one_by_one())
+        format!("\n## {}\n\n{}\n\n{}", self.title, self.about, self.rows())
     }
 
     /// The head of the first column and its cells. Where all are values of the same parameters, as in `R/h = 10, μh/P = 500`, the head has their names.
@@ -139,40 +139,30 @@ impl Table {
         }
     }
 
-    /// A row for each number.
-    fn one_by_one(&self) -> String {
+    /// A row for the numbers of each thing, with two columns for each quantity.
+    fn rows(&self) -> String {
         let (of, values) = self.of();
-        let row =
-            |(value, number): (&str, &Number)| format!("| {value} | {} | {} |\n", number.quantity, number.cells());
-        let rows: String = values.iter().map(|value| &value[..]).zip(&self.numbers).map(row).collect();
-        format!("| {of} | quantity | published | computed | difference |\n|---|---|---|---|---|\n{rows}")
-    }
-
-    /// A row for each two numbers; `None` unless they are the same two quantities of everything.
-    fn in_pairs(&self) -> Option<String> {
-        let mut rows = String::new();
-        let mut quantities = None;
-        let (of, values) = self.of();
-        let mut values = values.iter().step_by(2);
-        for pair in self.numbers.chunk_by(|a, b| a.of == b.of) {
-            let [first, second] = pair else { return None };
-            let own = (first.quantity, second.quantity);
-            if *quantities.get_or_insert(own) != own {
-                return None;
+        let mut columns: Vec<&str> = Vec::new();
+        for column in self.numbers.iter().map(Number::column) {
+            if !columns.contains(&column) {
+                columns.push(column);
             }
-            rows += &format!("| {} | {} | {} |\n", values.next()?, first.cells(), second.cells());
         }
-        let (first, second) = quantities?;
-        let rule = "|---".repeat(7);
-        Some(format!("| {of} | {first} | computed | difference | {second} | computed | difference |\n{rule}|\n{rows}"))
+        let head: String = columns.iter().map(|column| format!(" {column} | computed |")).collect();
+        let mut text = format!("| {of} |{head}\n{}|\n", "|---".repeat(1 + 2 * columns.len()));
+        let mut begun = 0;
+        for own in self.numbers.chunk_by(|a, b| a.of == b.of) {
+            let cells = |column: &&str| own.iter().find(|number| number.column() == *column).map(Number::cells);
+            let cells: Vec<String> = columns.iter().map(|column| cells(column).unwrap_or("|".to_owned())).collect();
+            text += &format!("| {} | {} |\n", values[begun], cells.join(" | "));
+            begun += own.len();
+        }
+        text
     }
 }
 
 const FOOT: &str = "
-## How this page is made
-
-`cargo run --release --example published_tables` writes it. `tests/examples.rs` checks that the page is up to date, that no difference is
-larger than stated above its table, and that the computed numbers are accurate enough for these statements.
+`cargo run --release --example published_tables` makes this page.
 ";
 
 /// How many numbers were printed right.

@@ -49,8 +49,8 @@ fn table1(rows: &[Row]) -> Table {
         title: "A strip on a half-plane: Table 1 of the source paper",
         about: "\
 Half-lengths a under a rigid cylinder of radius R and b of the receding contact; strip and half-plane have the same modulus μ, and ν = 1/4, in plane strain
-(`examples/scenes/table1_strip_half_plane.ron`). The paper ends its iteration when the resultants of both pressures are met to 1e-5, which
-hardly constrains b. As the load falls, b has to fall towards 1.3242, the value under a line load; the printed b for R/h = 10 goes up and down.",
+(`examples/scenes/table1_strip_half_plane.ron`). The paper ends its iteration when both resultants are met to 1e-5, which
+hardly constrains b. As the load falls, b has to fall towards 1.3242, its value under a line load; the printed b for R/h = 10 does not.",
         within: vec![("a/h", 1e-3), ("b/h", 8.5e-3)],
         numbers: rows.iter().flat_map(|row| half_lengths(row, row.entry.a, row.entry.b)).collect(),
     }
@@ -61,8 +61,7 @@ fn kahya(rows: &[Row]) -> Table {
     Table {
         title: "The same by Kahya et al.",
         about: "\
-The column \"Kahya\" of the same table, from an earlier paper. Residuals of the resultants of
-1e-4 or less, as listed for both, do not show that b is right.",
+The column \"Kahya\" of the same table, from an earlier paper. Small residuals of the resultants do not show that b is right.",
         within: vec![("a/h", 1e-3), ("b/h", 8.5e-3)],
         numbers: numbers.flatten().collect(),
     }
@@ -77,9 +76,9 @@ fn table2(rows: &[Row]) -> Table {
         title: "A graded layer on a half-plane: Table 2 of the source paper",
         about: "\
 The shear modulus of the layer is μ₃ exp(βd) at the depth d below its top face; at the top face it equals the modulus of the half-plane
-(`examples/scenes/table2_graded_half_plane.ron`). The paper contradicts itself where P R is the same: these cylinders are parabolas to seven digits,
-and under a parabola only the product of force and radius matters. So the entries R/h = 250, μh/P = 500 and R/h = 500, μh/P = 1000 have to agree; with βh = 0.001 they are
-printed as b/h = 1.4198 and 1.3978. With βh = 1 the first is 1.6402, and 1.3554 for the second is a misprint.",
+(`examples/scenes/table2_graded_half_plane.ron`). These cylinders are parabolas to seven digits, and
+under a parabola only the product of force and radius matters: the entries R/h = 250, μh/P = 500 and R/h = 500, μh/P = 1000 have to agree, but with βh = 0.001 they are
+printed as b/h = 1.4198 and 1.3978. With βh = 1, 1.3554 is a misprint.",
         within: vec![("a/h", 6e-3), ("b/h", 1.1e-2)],
         numbers: numbers.collect(),
     }
@@ -111,10 +110,9 @@ fn filon() -> Result<Table, Error> {
     Ok(Table {
         title: "Where a layer has to lift off: Filon 1903",
         about: "\
-An infinite layer of thickness 2h under opposite line loads on both faces: Filon 1903, as quoted by Barber 2018, chapter 11. Beyond this distance from the line of
-action the stress across the middle plane is a tension. Here: a layer on
-`Sliding`, `Rigid` under `load: Line`. The integral for this stress, ∫ (sinh u + u cosh u)/(sinh 2u + 2u) cos(ux/h) du over u > 0, vanishes at x = 1.337922 h. If the layer may
-lift off, the contact ends earlier, at 0.857 h.",
+The distance from opposite line loads on both faces of an infinite layer of thickness 2h beyond which the stress across the middle plane is a tension, as quoted by Barber 2018, chapter 11. The
+integral for this stress, ∫ (sinh u + u cosh u)/(sinh 2u + 2u) cos(ux/h) du over u > 0, vanishes at x = 1.337922 h. Here: a layer on
+`Sliding`, `Rigid` under `load: Line`. If the layer may lift off, the contact ends at 0.857 h.",
         within: vec![("x/h", 1e-2)],
         numbers: vec![Number::new("tension begins", "x/h", "1.35", (compressed, error))],
     })
@@ -165,15 +163,14 @@ fn timoshenko() -> Result<Table, Error> {
     Ok(Table {
         title: "Two cylinders: Timoshenko and Goodier 1951",
         about: "\
-The chapter on two bodies in contact: two cylinders of radii R₁ and R₂ of one material with ν = 0.3, pressed together by P' per unit length; half-length b, largest pressure q₀.
-The largest shear stress is 0.30028 q₀ at the depth 0.78615 b, by the closed form of McEwen 1949 too: 0.304 is wrong in its third digit, as can happen if a
-value is read from a curve.",
-        within: vec![("b/√(P'R₁R₂/(E(R₁+R₂)))", 2e-3), ("q₀/√(P'E(R₁+R₂)/(R₁R₂))", 1e-3), ("τ/q₀", 1.5e-2), ("depth/b", 1e-2)],
+Two cylinders of radii R₁ and R₂ of one material with ν = 0.3, pressed together by P' per unit length; half-length b, largest pressure q₀, largest shear stress τ.
+The closed form of McEwen 1949 also gives 0.30028 q₀ at the depth 0.78615 b: 0.304 is wrong in its third digit.",
+        within: vec![("value (b)", 2e-3), ("value (q₀)", 1e-3), ("value (τ)", 1.5e-2), ("value (depth)", 1e-2)],
         numbers: vec![
-            Number::new("two cylinders", "b/√(P'R₁R₂/(E(R₁+R₂)))", "1.52", length),
-            Number::new("two cylinders", "q₀/√(P'E(R₁+R₂)/(R₁R₂))", "0.418", pressure),
-            Number::new("largest shear stress", "τ/q₀", "0.304", shear),
-            Number::new("largest shear stress", "depth/b", "0.78", depth),
+            Number::new("b/√(P'R₁R₂/(E(R₁+R₂)))", "value (b)", "1.52", length),
+            Number::new("q₀/√(P'E(R₁+R₂)/(R₁R₂))", "value (q₀)", "0.418", pressure),
+            Number::new("τ/q₀", "value (τ)", "0.304", shear),
+            Number::new("its depth/b", "value (depth)", "0.78", depth),
         ],
     })
 }
@@ -236,9 +233,8 @@ fn nafems() -> Result<Table, Error> {
     Ok(Table {
         title: "A steel roller on aluminium: NAFEMS, Konter 2006",
         about: "\
-The first of the contact benchmarks: a steel cylinder, R = 50 mm, E = 210 GPa, on an aluminium block, E = 70 GPa, both with ν = 0.3, pressed by 35 kN per mm of length. Finite
-elements are to be compared with Hertz's formulas. These take the circle for a parabola, although a/R is 0.12: under a circle that is flattened like a
-half-plane (`ElasticCylinder`) the contact is shorter and the pressure higher.",
+The first contact benchmark: a steel cylinder, R = 50 mm, E = 210 GPa, on an aluminium block, E = 70 GPa, both with ν = 0.3, pressed by 35 kN per mm of length. The published values are
+Hertz's, for a parabola, although a/R is 0.12; under a circle that deforms like a half-plane (`ElasticCylinder`) the contact is shorter and the pressure higher.",
         within: vec![("a, mm", 4e-3), ("p₀, N/mm²", 4e-3)],
         numbers,
     })
@@ -279,18 +275,18 @@ fn das() -> Result<Table, Error> {
     };
     let mut numbers = Vec::new();
     for (x, published) in LINE {
-        numbers.push(Number::new(format!("line load, x/z = {x}"), "Δσ z/q", published, stress(&line, x, 1.0)?));
+        numbers.push(Number::new(format!("line load, x/z = {x}"), "Δσ (line load)", published, stress(&line, x, 1.0)?));
     }
     for (x, depth, published) in STRIP {
         let of = format!("strip, 2x/B = {x}, 2z/B = {depth}");
-        numbers.push(Number::new(of, "Δσ/q", published, stress(&strip, x, depth)?));
+        numbers.push(Number::new(of, "Δσ (strip)", published, stress(&strip, x, depth)?));
     }
     Ok(Table {
         title: "Vertical stress in soil: Das and Sobhan 2018",
         about: "\
-The chapter on stresses in a soil mass: the increase Δσ of the vertical stress at depth z below a line load q per unit length, and below a strip of width B that carries the
+The increase Δσ of the vertical stress at depth z, in units of q/z below a line load q per unit length, in units of q below a strip of width B with the
 pressure q. Here: `load: Line` and `load: Uniform` on `HalfPlane`.",
-        within: vec![("Δσ z/q", 2e-2), ("Δσ/q", 2e-3)],
+        within: vec![("Δσ (line load)", 2e-2), ("Δσ (strip)", 2e-3)],
         numbers,
     })
 }
