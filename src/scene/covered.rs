@@ -1,6 +1,6 @@
 //! A cylinder or sphere with elastic layers on its core, as it is written.
 use recede_layers::description::Value;
-use recede_layers::tree::Node;
+use recede_layers::tree::{Node, token};
 use recede_layers::{Positive, described};
 use schemars::{JsonSchema, json_schema};
 use serde::de::{self, IgnoredAny};
@@ -44,13 +44,13 @@ described!(LayersForm, |_| {
     let items = json_schema!({"type": "array", "items": {"$ref": "#/properties/stack/items"}});
     Value::described("a list in `[` and `]` of layers and interfaces in turn", items)
 });
-described!(CoreForm, |_| {
-    Value::described("a base, as at the bottom of a stack", json_schema!({"$ref": "#/properties/stack/items"}))
-});
+described!(CoreForm, |_| { Value::described(BASE, json_schema!({"$ref": "#/properties/stack/items"})) });
 
 /// Names of the fields.
 const LAYERS: &str = "layers";
 const CORE: &str = "core";
+/// What may be a core.
+const BASE: &str = "a base, as at the bottom of a stack";
 
 impl Covered {
     /// A cylinder of radius R > 0, in length, with these items from its outer face inwards, ending in the core, as in a stack.
@@ -71,18 +71,23 @@ impl Covered {
     /// Reads the punch from a scene of this geometry.
     pub(super) fn read(node: &Node, geometry: Geometry, origin: &Origin) -> Result<Self, SceneError> {
         let owner = "the punch";
+        let [layers, core] = [LAYERS, CORE].map(|name| node.field(name));
+        let layers = layers.map_or(Ok(&[][..]), |list| origin.list(list, &format!("`{LAYERS}` of {owner}")))?;
+        if let Some(core) = core.filter(|core| core.name.is_none()) {
+            let found = token(origin.rest(core.place.start));
+            return Err(origin.error_at(core, format!("`{CORE}` of {owner}: found {found}, allowed is {BASE}")));
+        }
         let fields = node.read_inner::<CoveredFields>();
         let CoveredFields { radius, .. } =
             fields.map_err(|error| origin.explained(node, owner, Some(&Value::of::<Self>()), error))?;
-        let [layers, core] = [LAYERS, CORE].map(|name| node.field(name).unwrap_or(node));
         let mut items = Vec::new();
-        for (index, item) in origin.list(layers, &format!("`{LAYERS}` of {owner}"))?.iter().enumerate() {
+        for (index, item) in layers.iter().enumerate() {
             items.push(read_item(item, index / 2 + 1, geometry, origin)?);
         }
         if items.last().is_some_and(|last| !last.is_interface()) {
             items.push(Item::Bonded);
         }
-        items.push(read_item(core, items.len() / 2 + 1, geometry, origin)?);
+        items.push(read_item(core.unwrap_or(node), items.len() / 2 + 1, geometry, origin)?);
         Ok(Self { radius, items })
     }
 
