@@ -1,4 +1,6 @@
 //! A stack with its kernels, computed once and used for any punch and load.
+#[cfg(test)]
+mod manufactured;
 mod openings;
 
 use std::sync::Arc;

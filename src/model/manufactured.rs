@@ -1,0 +1,98 @@
+//! Manufactured solutions: from pressures and ends that are chosen follow the profile of a punch and the gap between layers that make them.
+use std::f64::consts::PI;
+
+use faer::linalg::solvers::Solve;
+use faer::{Col, Mat};
+use recede_layers::{Exponential, HalfPlane, Homogeneous};
+
+use crate::Model;
+use crate::field::{FULL, FaceSide, Field};
+use crate::geometry::Geometry;
+use crate::scene::{Load, Punch};
+use crate::solution::{Contact, Interface, Interval, Solution, Strip};
+use crate::stack::{Stack, StackBuilder};
+
+/// Terms of the polynomials that profile and gap are made of.
+const TERMS: usize = 14;
+/// Half-lengths of the two contacts, and the force.
+const ENDS: [f64; 2] = [0.5, 0.8];
+const FORCE: f64 = 0.01;
+/// What the second and third term of each pressure are of the first.
+const SHAPES: [[f64; 2]; 2] = [[0.15, -0.04], [-0.1, 0.03]];
+
+/// The pressure of a contact as it is chosen.
+fn strip(contact: usize, is_round: bool) -> Strip {
+    let (half, [second, third]) = (ENDS[contact], SHAPES[contact]);
+    let first = FORCE / if is_round { 2.0 * PI / 3.0 * half * half } else { 0.5 * PI * half };
+    Strip { is_round, ..Strip::series(half, vec![first, first * second, first * third]) }
+}
+
+/// The even polynomial that is as high above x = 0 as a function is at some places up to an end.
+fn polynomial(end: f64, heights: impl Fn(&[f64]) -> Vec<f64>) -> Punch {
+    let node = |k: usize| (0.5 * PI * (k as f64 + 0.5) / TERMS as f64).sin();
+    let places: Vec<f64> = [0.0].into_iter().chain((0..TERMS).map(|k| end * node(k))).collect();
+    let heights = heights(&places);
+    let powers = Mat::from_fn(TERMS, TERMS, |k, term| node(k).powi(2 * (term as i32 + 1)));
+    let found = powers.partial_piv_lu().solve(Col::from_fn(TERMS, |k| heights[k + 1] - heights[0]));
+    Punch::polynomial(end, &found.iter().copied().collect::<Vec<f64>>()).unwrap()
+}
+
+#[test]
+fn the_chosen_pressures_are_found() {
+    for geometry in [Geometry::PlaneStrain, Geometry::Axisymmetric] {
+        let is_round = geometry.is_axisymmetric();
+        let strip_layer = || Homogeneous::new(1.0, 1.0, 0.25).unwrap();
+        let thin = || Stack::builder(geometry).layer(strip_layer());
+        let thick = || {
+            Stack::builder(geometry).layer(Exponential::new(0.7, 2.0, 0.3, 0.8).unwrap()).bonded().layer(strip_layer())
+        };
+        let ground = |above: StackBuilder| above.layer(HalfPlane::new(0.7, 0.3).unwrap()).build().unwrap();
+        let coated = |above: StackBuilder| {
+            above.layer(Homogeneous::new(0.8, 3.0, 0.2).unwrap()).bonded().rigid().build().unwrap()
+        };
+        let gapless = [ground(thin().receding()), coated(thick().receding())];
+        for (number, stack) in gapless.into_iter().enumerate() {
+            // the field of the chosen pressures, in a solution of another load
+            let model = Model::new(stack.clone()).unwrap();
+            let solved = model.press(Load::uniform(0.3).unwrap(), FORCE).unwrap();
+            let contact = |(k, interface): (usize, Interface)| {
+                let intervals = vec![Interval::new([-ENDS[k], 0.0], [ENDS[k], 0.0])];
+                Contact::new(interface, intervals, vec![strip(k, is_round)], Some(0.0), [1.0, 0.0], Vec::new())
+            };
+            let contacts: Vec<Contact> = stack.contacts().into_iter().enumerate().map(contact).collect();
+            let field = Field::new(&stack, &Solution { contacts, ..solved });
+            let last = stack.laminates()[0].layers().len();
+            let face = |layer: usize, side: FaceSide, x: &[f64]| -> Vec<f64> {
+                let faces = field.faces(x, &FULL).unwrap();
+                let own = faces.iter().find(|face| face.layer == layer && face.side == side).unwrap();
+                own.points.iter().map(|point| point.v).collect()
+            };
+            let punch = polynomial(ENDS[0], |x| face(1, FaceSide::Top, x));
+            let gap = polynomial(ENDS[1], |x| {
+                let [above, below] = [face(last, FaceSide::Bottom, x), face(last + 1, FaceSide::Top, x)];
+                below.iter().zip(&above).map(|(below, above)| below - above).collect()
+            });
+            let with_gap = match number {
+                0 => ground(thin().receding_from(gap)),
+                _ => coated(thick().receding_from(gap)),
+            };
+            let found = Model::new(with_gap).unwrap().press(punch, FORCE).unwrap();
+            for (k, contact) in found.contacts().iter().enumerate() {
+                assert!(
+                    (contact.reach() / ENDS[k] - 1.0).abs() < 1e-8,
+                    "{geometry:?} {number} {k}: {}",
+                    contact.reach()
+                );
+                let expected = strip(k, is_round);
+                let largest = expected.pressure(0.0);
+                for x in [0.0, 0.3, 0.6, 0.9].map(|part| part * ENDS[k]) {
+                    let (found, expected) = (contact.pressure(x), expected.pressure(x));
+                    assert!(
+                        (found - expected).abs() < 1e-7 * largest,
+                        "{geometry:?} {number} {k} {x}: {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
