@@ -49,6 +49,14 @@ pub enum LayerError {
         /// The thickness of the layer, in length.
         thickness: f64,
     },
+    /// A table in parts of the thickness that does not reach the bottom of its layer.
+    #[error("{field}: the table ends at {part:?} of the thickness; allowed is 1 or more")]
+    RelativeTableEnds {
+        /// The field's name as in the scene file.
+        field: &'static str,
+        /// The last depth of the table, in parts of the thickness.
+        part: f64,
+    },
     /// A Poisson's ratio too large for the Young's moduli.
     #[error("{field}: found {found:?}, allowed is -{limit:?} < {field} < {limit:?}")]
     Unstable {

@@ -114,3 +114,22 @@ fn scenes_in_any_units_have_the_same_answer() {
         }
     }
 }
+
+/// Tables tell depths in lengths, or in parts of a thickness that varies.
+#[test]
+fn a_relative_table_fits_any_thickness() {
+    let of = |h: f64, table: &str| {
+        let layers = format!("Graded(thickness: {h}, young: {table}, poisson: 0.3), Receding, Rigid");
+        scene("Cylinder(radius: 100)", "0.5", &layers)
+    };
+    let relative = of(1.0, "RelativeTable([(0, 1e3), (0.25, \"3 GPa\"), (1, 2e3)])");
+    for h in [0.5, 2.0, 0.3] {
+        let table = of(h, &format!("Table([(0, 1e3), ({}, 3e3), ({h}, 2e3)])", 0.25 * h));
+        let found =
+            [relative.with("layer[1].thickness", h).unwrap(), table].map(|scene| recede::solve(&scene).unwrap());
+        for (a, b) in found[0].contacts().iter().zip(found[1].contacts()) {
+            let [a, b] = [a, b].map(|contact| [contact.half_length().unwrap(), contact.central_pressure]);
+            assert!(a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{h}: {a:?} {b:?}");
+        }
+    }
+}
