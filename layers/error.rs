@@ -28,6 +28,14 @@ pub enum LayerError {
         /// The largest ratio allowed.
         limit: f64,
     },
+    /// A text that is no name of a layer.
+    #[error("found {found:?}, allowed is {allowed}")]
+    Name {
+        /// The text.
+        found: Box<str>,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
     /// Two fields of which exactly one is to be given.
     #[error("found {found} of `{}` and `{}`; allowed is one of them", .fields[0], .fields[1])]
     EitherOr {

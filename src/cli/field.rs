@@ -35,10 +35,10 @@ Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
 pub struct FieldArguments {
     #[command(flatten)]
     file: SceneFile,
-    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear. Under loads at
+    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer, by its number or name, if that is not clear. Under loads at
     /// places (x, y): X,Y,DEPTH
     #[arg(long, value_name = "X,DEPTH[@LAYER]", allow_hyphen_values = true)]
-    at: Vec<SpacePoint>,
+    at: Vec<String>,
     /// The vertical plane of a grid or a map under loads at places (x, y)
     #[arg(long, default_value = "0", conflicts_with = "at", allow_hyphen_values = true)]
     y: f64,
@@ -117,6 +117,9 @@ impl FieldArguments {
             ));
         }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
+        let at: Result<Vec<SpacePoint>, _> = self.at.iter().map(|text| scene.numbered(text).parse()).collect();
+        let wrong = |message| Failure::usage(message, "LAYER is a number, from 1 at the top, or a name in the scene");
+        let at = at.map_err(wrong)?;
         let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
         let field = model.field(&solution)?.at_y(self.y)?;
@@ -135,7 +138,7 @@ impl FieldArguments {
             let [xs, depths] = self.grid(window, if format == Format::Table { TABLE } else { LIST });
             field.grid(&xs, &depths)?.points().to_vec()
         } else {
-            field.points_in_space(&self.at)?
+            field.points_in_space(&at)?
         };
         if format == Format::Table && points.len() > READABLE {
             return Err(Failure::usage(
@@ -143,9 +146,7 @@ impl FieldArguments {
                 "write them to a file, --out FILE.csv, or say --format csv",
             ));
         }
-        outputs::write(self.out.as_deref(), out, |out| {
-            write_field(&points, field.coordinates(), scene.units.as_ref(), format, out)
-        })
+        outputs::write(self.out.as_deref(), out, |out| write_field(&points, &scene, format, out))
     }
 
     /// The format of numbers at points, as the name of the file asks for; `None` for a map.

@@ -288,7 +288,7 @@ impl Map<'_> {
         for (number, [from, to]) in &self.layers {
             let [upper, lower] = [*from, *to].map(height);
             if upper < lower {
-                labels.push((0.5 * (upper + lower), format!("layer {number}")));
+                labels.push((0.5 * (upper + lower), self.section.scene.layer_label(*number)));
             }
         }
         let numbers: Vec<usize> = self.layers.iter().map(|(number, _)| *number).collect();
@@ -324,7 +324,8 @@ impl Map<'_> {
                     format!("cross: largest{what} on the grid of this map")
                 }
             };
-            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(*x), short(*depth));
+            let [x, depth, layer] = [short(*x), short(*depth), scene.layer_label(*layer)];
+            let place = format!("at {along} = {x}{length}, depth {depth}{length} in {layer}");
             notes.push(format!("{mark}, {}{stress} {place}", short(*value)));
         }
         if self.clipped {

@@ -268,7 +268,7 @@ fn convert(
             }
         }
         Kind::Fields(fields) => {
-            for Entry { name, value, .. } in fields {
+            for Entry { name, value, .. } in fields.iter_mut().filter(|field| &*field.name != "name") {
                 convert(value, of_field(name, is_round).or(dimension), (units, is_round, at), origin)?;
             }
         }
