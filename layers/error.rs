@@ -28,6 +28,14 @@ pub enum LayerError {
         /// The largest ratio allowed.
         limit: f64,
     },
+    /// A text that is no name of a layer.
+    #[error("found {found:?}, allowed is {allowed}")]
+    Name {
+        /// The text.
+        found: Box<str>,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
     /// Two fields of which exactly one is to be given.
     #[error("found {found} of `{}` and `{}`; allowed is one of them", .fields[0], .fields[1])]
     EitherOr {
@@ -48,6 +56,14 @@ pub enum LayerError {
         depth: f64,
         /// The thickness of the layer, in length.
         thickness: f64,
+    },
+    /// A table in parts of the thickness that does not reach the bottom of its layer.
+    #[error("{field}: the table ends at {part:?} of the thickness; allowed is 1 or more")]
+    RelativeTableEnds {
+        /// The field's name as in the scene file.
+        field: &'static str,
+        /// The last depth of the table, in parts of the thickness.
+        part: f64,
     },
     /// A Poisson's ratio too large for the Young's moduli.
     #[error("{field}: found {found:?}, allowed is -{limit:?} < {field} < {limit:?}")]

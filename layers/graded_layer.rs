@@ -165,8 +165,11 @@ impl Layer for Graded {
     }
 
     fn kinks(&self) -> Vec<f64> {
+        let thickness = self.thickness.get();
         match &self.variation {
-            Variation::Written { modulus, poisson } => [modulus.field().1.kinks(), poisson.kinks()].concat(),
+            Variation::Written { modulus, poisson } => {
+                [modulus.field().1.kinks(thickness), poisson.kinks(thickness)].concat()
+            }
             Variation::Function(..) => Vec::new(),
         }
     }

@@ -134,6 +134,11 @@ pub trait Layer: Debug + Send + Sync + Any {
         0.0
     }
 
+    /// The name of the layer in reports and pictures; provided: none. See [`Loaded`](crate::Loaded).
+    fn name(&self) -> Option<&str> {
+        None
+    }
+
     /// Whether the material is the same in all directions along the layer, as it has to be about the axis of an axisymmetric problem. The
     /// default holds for isotropic materials: the coefficients of others do not tell.
     fn is_same_all_around(&self) -> bool {

@@ -1,20 +1,23 @@
-//! A layer with an eigenstrain or a weight.
+//! A layer with an eigenstrain, a weight or a name.
+use std::any::Any;
 use std::sync::Arc;
 
-use crate::{ClosedForm, Key, Layer, Material, Notation, Plane};
+use crate::{ClosedForm, Key, Layer, Material, Name, Notation, Plane};
 
-/// A layer with an eigenstrain, or a weight; all else is the layer's own.
+/// A layer with an eigenstrain, a weight or a name; all else is the layer's own.
 ///
 /// The eigenstrain is the strain that the layer would have if nothing held it, as from a temperature, from swelling, or from how it was deposited. It is the same in all
-/// directions and throughout the layer. The weight presses on what lies below.
+/// directions and throughout the layer. The weight presses on what lies below. The name is shown beside the number of the layer.
 ///
 /// ```
-/// use recede_layers::{Homogeneous, Layer, Loaded};
+/// use recede_layers::{Homogeneous, Layer, Loaded, Name};
 /// let coating = Loaded::new(Homogeneous::new(0.1, 80e3, 0.25)?).with_eigenstrain(-2e-3);
 /// assert_eq!((coating.thickness(), coating.eigenstrain()), (Some(0.1), -2e-3));
 /// assert!(coating.notation().to_string().ends_with("poisson: 0.25, eigenstrain: -0.002)"));
 /// let slab = Loaded::new(Homogeneous::new(0.2, 30e3, 0.2)?).with_specific_weight(24e-6);
 /// assert_eq!(slab.specific_weight(), 24e-6);
+/// let base = Loaded::new(Homogeneous::new(0.2, 30e3, 0.2)?).with_name(Name::new("base")?);
+/// assert!(base.notation().to_string().starts_with("Homogeneous(name: \"base\", thickness: 0.2, "));
 /// # Ok::<(), recede_layers::LayerError>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -22,6 +25,7 @@ pub struct Loaded {
     layer: Arc<dyn Layer>,
     eigenstrain: f64,
     specific_weight: f64,
+    name: Option<Name>,
 }
 
 impl Loaded {
@@ -32,7 +36,7 @@ impl Loaded {
 
     /// The same of a layer that is shared.
     pub fn of(layer: Arc<dyn Layer>) -> Self {
-        Self { layer, eigenstrain: 0.0, specific_weight: 0.0 }
+        Self { layer, eigenstrain: 0.0, specific_weight: 0.0, name: None }
     }
 
     /// With an eigenstrain, dimensionless, positive where the free layer would be larger.
@@ -45,6 +49,19 @@ impl Loaded {
     #[must_use]
     pub fn with_specific_weight(self, specific_weight: f64) -> Self {
         Self { specific_weight, ..self }
+    }
+
+    /// With a name.
+    #[must_use]
+    pub fn with_name(self, name: Name) -> Self {
+        Self { name: Some(name), ..self }
+    }
+
+    /// A layer without its name: named layers of one material are one body, too.
+    pub fn unnamed(layer: &dyn Layer) -> &dyn Layer {
+        let any: &dyn Any = layer;
+        let own = any.downcast_ref::<Self>().filter(|own| own.eigenstrain == 0.0 && own.specific_weight == 0.0);
+        own.map_or(layer, |own| &*own.layer)
     }
 }
 
@@ -62,7 +79,8 @@ impl Layer for Loaded {
     fn notation(&self) -> Notation {
         let own = [("eigenstrain", self.eigenstrain), ("specific_weight", self.specific_weight)];
         let given = own.iter().filter(|(_, value)| *value != 0.0);
-        given.fold(self.layer.notation(), |notation, (name, value)| notation.with(name, value))
+        let notation = given.fold(self.layer.notation(), |notation, (name, value)| notation.with(name, value));
+        self.name.iter().fold(notation, Notation::named)
     }
 
     fn kinks(&self) -> Vec<f64> {
@@ -80,6 +98,10 @@ impl Layer for Loaded {
     /// A layer with another eigenstrain or weight is another body, and no type of layers knows of these.
     fn continues(&self, _below: &dyn Layer) -> Option<Arc<dyn Layer>> {
         None
+    }
+
+    fn name(&self) -> Option<&str> {
+        self.name.as_ref().map(Name::as_str).or(self.layer.name())
     }
 
     fn is_same_all_around(&self) -> bool {

@@ -48,6 +48,14 @@ impl Notation {
         self.parameters += &format!("{name}: {}", value.written());
         self
     }
+
+    /// The same with the name of the layer as the first parameter.
+    #[must_use]
+    pub fn named(self, name: &impl Parameter) -> Self {
+        let own = Self { kind: self.kind, parameters: String::new() }.with("name", name);
+        let parts = [own.parameters, self.parameters];
+        Self { parameters: parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "), ..self }
+    }
 }
 
 impl fmt::Display for Notation {

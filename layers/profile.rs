@@ -69,6 +69,8 @@ pub enum Profile<Q> {
     },
     /// Values at depths from 0 down to the thickness or beyond, linear in between: `[(depth, value), ...]`.
     Table(Table<Q>),
+    /// The same with depths in parts of the thickness, from 0 down to 1 or beyond: `[(depth/thickness, value), ...]`.
+    RelativeTable(Table<Q>),
 }
 
 /// Values at increasing depths, the first of which is 0.
@@ -104,11 +106,16 @@ impl<Q: Parameter> Parameter for Profile<Q> {
             Self::Sigmoid { top, bottom, centre, width } => {
                 fields("Sigmoid", &[("top", top), ("bottom", bottom), ("centre", centre), ("width", width)])
             }
-            Self::Table(Table(rows)) => {
-                let rows = rows.iter().map(|(depth, value)| format!("({}, {})", depth.written(), value.written()));
-                format!("Table([{}])", rows.collect::<Vec<_>>().join(", "))
-            }
+            Self::Table(table) => format!("Table({})", table.written()),
+            Self::RelativeTable(table) => format!("RelativeTable({})", table.written()),
         }
+    }
+}
+
+impl<Q: Parameter> Parameter for Table<Q> {
+    fn written(&self) -> String {
+        let rows = self.0.iter().map(|(depth, value)| format!("({}, {})", depth.written(), value.written()));
+        format!("[{}]", rows.collect::<Vec<_>>().join(", "))
     }
 }
 
@@ -134,6 +141,15 @@ impl<Q> TryFrom<Vec<(Thickness, Q)>> for Table<Q> {
     }
 }
 
+impl<Q: TryFrom<f64, Error = OutOfRange>> Table<Q> {
+    fn checked(rows: &[(f64, f64)]) -> Result<Self, LayerError> {
+        let checked = rows.iter().map(|(depth, value)| {
+            Ok((LayerError::checked("depth in a table", *depth)?, LayerError::checked("value in a table", *value)?))
+        });
+        Ok(checked.collect::<Result<Vec<_>, LayerError>>()?.try_into()?)
+    }
+}
+
 impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
     /// A key with the kind of the profile and its numbers.
     pub(crate) fn keyed(&self, key: Key) -> Key {
@@ -147,9 +163,10 @@ impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
             Self::Sigmoid { top, bottom, centre, width } => {
                 key.with([4.0, (*top).into(), (*bottom).into(), centre.get(), width.get()])
             }
-            Self::Table(Table(rows)) => {
+            Self::Table(Table(rows)) | Self::RelativeTable(Table(rows)) => {
+                let kind = if let Self::Table(_) = self { 5.0 } else { 6.0 };
                 let numbers = rows.iter().flat_map(|(depth, value)| [depth.get(), (*value).into()]);
-                key.with([5.0]).with_list(&numbers.collect::<Vec<f64>>())
+                key.with([kind]).with_list(&numbers.collect::<Vec<f64>>())
             }
         }
     }
@@ -201,10 +218,24 @@ impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
     /// # Errors
     /// [`LayerError`] if a number is outside its range or not finite, or if the depths are not in order.
     pub fn table(rows: &[(f64, f64)]) -> Result<Self, LayerError> {
-        let checked = rows.iter().map(|(depth, value)| {
-            Ok((LayerError::checked("depth in a table", *depth)?, LayerError::checked("value in a table", *value)?))
-        });
-        Ok(Self::Table(checked.collect::<Result<Vec<_>, LayerError>>()?.try_into()?))
+        Table::checked(rows).map(Self::Table)
+    }
+
+    /// The same with depths in parts of the thickness: the table fits a layer of any thickness.
+    ///
+    /// # Errors
+    /// As [`Profile::table`].
+    pub fn relative_table(rows: &[(f64, f64)]) -> Result<Self, LayerError> {
+        Table::checked(rows).map(Self::RelativeTable)
+    }
+
+    /// The rows of a table, none of another profile, and the length in which their depths are told in a layer of thickness h.
+    fn rows(&self, thickness: f64) -> (&[(Thickness, Q)], f64) {
+        match self {
+            Self::Table(Table(rows)) => (rows, 1.0),
+            Self::RelativeTable(Table(rows)) => (rows, thickness),
+            _ => (&[], 1.0),
+        }
     }
 
     /// The value at depth d in a layer of thickness h; below the last row of a table, the value of the last row.
@@ -213,11 +244,10 @@ impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
             let (above, below): (f64, f64) = (above.into(), below.into());
             (1.0 - part) * above + part * below
         };
+        let relative = if thickness > 0.0 { depth / thickness } else { 0.0 };
         match self {
             Self::Constant(value) => (*value).into(),
-            Self::Linear { top, bottom } => {
-                between(*top, *bottom, if thickness > 0.0 { depth / thickness } else { 0.0 })
-            }
+            Self::Linear { top, bottom } => between(*top, *bottom, relative),
             Self::Power { surface, length, exponent } => {
                 (*surface).into() * (exponent.get() * (depth / length.get()).ln_1p()).exp()
             }
@@ -225,7 +255,8 @@ impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
             Self::Sigmoid { top, bottom, centre, width } => {
                 between(*top, *bottom, 1.0 / (1.0 + ((centre.get() - depth) / width.get()).exp()))
             }
-            Self::Table(Table(rows)) => {
+            Self::Table(Table(rows)) | Self::RelativeTable(Table(rows)) => {
+                let depth = if let Self::Table(_) = self { depth } else { relative };
                 let next = rows.partition_point(|(at, _)| at.get() <= depth).clamp(1, rows.len() - 1);
                 let ((above, top), (below, bottom)) = (rows[next - 1], rows[next]);
                 let part = (depth - above.get()) / (below.get() - above.get());
@@ -234,32 +265,34 @@ impl<Q: Copy + Into<f64> + TryFrom<f64, Error = OutOfRange>> Profile<Q> {
         }
     }
 
-    /// Depths at which the value is not smooth, or between which it varies much.
-    pub(crate) fn kinks(&self) -> Vec<f64> {
+    /// Depths at which the value is not smooth in a layer of thickness h, or between which it varies much.
+    pub(crate) fn kinks(&self, thickness: f64) -> Vec<f64> {
         match self {
-            Self::Table(Table(rows)) => rows.iter().map(|(depth, _)| depth.get()).collect(),
             Self::Sigmoid { centre, width, .. } => {
                 [-WIDTHS, 0.0, WIDTHS].map(|widths| centre.get() + widths * width.get()).to_vec()
             }
-            _ => Vec::new(),
+            _ => {
+                let (rows, unit) = self.rows(thickness);
+                rows.iter().map(|(depth, _)| depth.get() * unit).collect()
+            }
         }
     }
 
     /// Checks the profile of `field` in a layer of thickness h, and returns its values at the two ends of its range.
     pub(crate) fn extremes(&self, field: &'static str, thickness: f64) -> Result<[f64; 2], LayerError> {
-        if let Self::Table(Table(rows)) = self
-            && let Some((last, _)) = rows.last()
-            && last.get() < REACHED * thickness
+        let (rows, unit) = self.rows(thickness);
+        if let Some((last, _)) = rows.last()
+            && last.get() * unit < REACHED * thickness
         {
-            return Err(LayerError::TableEnds { field, depth: last.get(), thickness });
+            let depth = last.get();
+            return Err(match self {
+                Self::RelativeTable(_) => LayerError::RelativeTableEnds { field, part: depth },
+                _ => LayerError::TableEnds { field, depth, thickness },
+            });
         }
         // all are monotonic, or between their rows
         let bottom: Q = LayerError::checked(field, self.at(thickness, thickness))?;
         let ends = [self.at(0.0, thickness), bottom.into()];
-        let rows = match self {
-            Self::Table(Table(rows)) => &rows[..],
-            _ => &[],
-        };
         let values = || rows.iter().map(|(_, value)| (*value).into()).chain(ends);
         Ok([values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)])
     }
@@ -281,7 +314,26 @@ mod tests {
         assert_eq!([-1e3, 0.5, 1e3].map(|d| sigmoid.at(d, 1.0)), [0.1, 0.2, 0.3]);
         let table = Profile::<Positive>::table(&[(0.0, 1.0), (1.0, 3.0), (3.0, 2.0)]).expect(legal);
         assert_eq!([0.0, 0.5, 1.0, 2.0, 3.0, 4.0].map(|d| table.at(d, 3.0)), [1.0, 2.0, 3.0, 2.5, 2.0, 2.0]);
-        assert_eq!(table.kinks(), [0.0, 1.0, 3.0]);
+        assert_eq!(table.kinks(3.0), [0.0, 1.0, 3.0]);
+    }
+
+    #[test]
+    fn a_relative_table_is_the_same_in_any_thickness() {
+        let rows = [(0.0, 1.0), (0.25, 3.0), (1.0, 2.0)];
+        let relative = Profile::<Positive>::relative_table(&rows).expect("legal");
+        for thickness in [0.5, 2.0, 8.0] {
+            let table =
+                Profile::<Positive>::table(&rows.map(|(part, value)| (part * thickness, value))).expect("legal");
+            let at = |profile: &Profile<Positive>| {
+                [0.0, 0.125, 0.25, 0.6, 1.0].map(|part| profile.at(part * thickness, thickness))
+            };
+            assert_eq!(at(&relative), at(&table));
+            assert_eq!(relative.kinks(thickness), table.kinks(thickness));
+            assert_eq!(relative.extremes("young", thickness), table.extremes("young", thickness));
+        }
+        let short = Profile::<Positive>::relative_table(&[(0.0, 1.0), (0.5, 2.0)]).expect("legal");
+        let error = short.extremes("young", 3.0).expect_err("too short").to_string();
+        assert_eq!(error, "young: the table ends at 0.5 of the thickness; allowed is 1 or more");
     }
 
     #[test]

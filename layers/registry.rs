@@ -26,6 +26,14 @@ impl Body {
         }
     }
 
+    /// Its name in reports and pictures, if it has one.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            Self::Layer(layer) => layer.name(),
+            Self::Support(support) => support.name(),
+        }
+    }
+
     /// How it is written in drawings and messages.
     pub fn notation(&self) -> Notation {
         match self {

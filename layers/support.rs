@@ -50,6 +50,11 @@ pub trait Support: Debug + Send + Sync {
         Notation::of::<Self>()
     }
 
+    /// The name of the support in reports and pictures; provided: none. See [`NamedSupport`](crate::NamedSupport).
+    fn name(&self) -> Option<&str> {
+        None
+    }
+
     /// What tells this support from others, as [`Layer::key`](crate::Layer::key); provided: `None`, it is the same as no other.
     fn key(&self) -> Option<Key> {
         None

@@ -162,7 +162,7 @@ pub enum Fault {
         /// The name that was found.
         found: String,
         /// The names that are allowed.
-        allowed: &'static [&'static str],
+        allowed: Vec<&'static str>,
     },
     /// A field that has to be there.
     #[error("`{0}` is missing")]

@@ -1,6 +1,7 @@
 //! Input as engineers have it: Young's modulus in place of the shear modulus, and numbers with units.
 use recede::layers::{Isotropic, Plane};
-use recede::{Item, Scene};
+use recede::report::{Format, Report};
+use recede::{Item, Model, Scene};
 
 /// Materials of the layers, at some depths.
 fn coefficients(scene: &Scene) -> Vec<[f64; 4]> {
@@ -113,4 +114,81 @@ fn scenes_in_any_units_have_the_same_answer() {
             assert!((a / b - 1.0).abs() < 1e-10, "{length}: {a} {b}");
         }
     }
+}
+
+/// Tables tell depths in lengths, or in parts of a thickness that varies.
+#[test]
+fn a_relative_table_fits_any_thickness() {
+    let of = |h: f64, table: &str| {
+        let layers = format!("Graded(thickness: {h}, young: {table}, poisson: 0.3), Receding, Rigid");
+        scene("Cylinder(radius: 100)", "0.5", &layers)
+    };
+    let relative = of(1.0, "RelativeTable([(0, 1e3), (0.25, \"3 GPa\"), (1, 2e3)])");
+    for h in [0.5, 2.0, 0.3] {
+        let table = of(h, &format!("Table([(0, 1e3), ({}, 3e3), ({h}, 2e3)])", 0.25 * h));
+        let found =
+            [relative.with("layer[1].thickness", h).unwrap(), table].map(|scene| recede::solve(&scene).unwrap());
+        for (a, b) in found[0].contacts().iter().zip(found[1].contacts()) {
+            let [a, b] = [a, b].map(|contact| [contact.half_length().unwrap(), contact.central_pressure]);
+            assert!(a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-12), "{h}: {a:?} {b:?}");
+        }
+    }
+}
+
+#[test]
+fn a_name_is_shown_wherever_a_layer_is_and_changes_no_answer() {
+    let layers = |names: [&str; 3]| {
+        let [coating, strip, base] = names;
+        format!(
+            "Homogeneous({coating}thickness: 1, young: 10, poisson: 0.3), Bonded,
+             Homogeneous({strip}thickness: 0.5, young: 10, poisson: 0.3), Bonded, Winkler({base}stiffness: 3)"
+        )
+    };
+    let plain = scene("Cylinder(radius: 100)", "0.01", &layers([""; 3]));
+    let quoted = r#"name: "3 mm of \"felt\"", "#;
+    let named = scene("Cylinder(radius: 100)", "0.01", &layers(["name: \"skin\", ", "", quoted]));
+    assert_eq!(
+        [1, 2, 3, 4].map(|number| named.layer_name(number)),
+        [Some("skin"), None, Some("3 mm of \"felt\""), None]
+    );
+    for again in [Scene::from_ron(&named.to_ron()).unwrap(), Scene::from_json(&named.to_json()).unwrap()] {
+        assert_eq!(again.to_ron(), named.to_ron());
+        assert_eq!(again.with("layer[1].thickness", 2.0).unwrap().layer_name(1), Some("skin"));
+    }
+    let [(_, told), (found, said)] = [&plain, &named].map(|scene| {
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press(&scene.top, scene.force).unwrap();
+        let field = model.field(&solution).unwrap();
+        let (max_shear, extremes) = (field.max_shear().ok(), field.extremes().unwrap());
+        let (approaches, extremes) = (&[][..], Some(&extremes));
+        let report = Report {
+            scene,
+            solution: &solution,
+            separation: None,
+            approaches,
+            max_shear,
+            extremes,
+            collocated: None,
+            digits: None,
+            seconds: 0.0,
+        };
+        let written = |format: Format| {
+            let mut text = Vec::new();
+            report.write(format, &mut text).unwrap();
+            String::from_utf8(text).unwrap()
+        };
+        (scene.stack().unwrap().to_string() + &written(Format::Table), written(Format::Json))
+    });
+    for part in
+        [" 1 Homogeneous(name: \"skin\", thickness: 1.0", "layer 1 \"skin\": von Mises stress", "in layer 1 \"skin\""]
+    {
+        assert!(found.contains(part), "{part}: {found}");
+    }
+    let [mut told, mut said] = [told, said].map(|text| serde_json::from_str::<serde_json::Value>(&text).unwrap());
+    let layer = said["extremes"]["layers"][0].as_object_mut().unwrap();
+    assert_eq!(layer.remove("name").unwrap(), "skin");
+    for key in ["scene", "seconds"] {
+        (told[key], said[key]) = Default::default();
+    }
+    assert_eq!(told, said);
 }

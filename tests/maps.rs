@@ -202,3 +202,35 @@ fn options_of_maps_say_what_is_allowed() {
         assert!(!fs::read_to_string(&file).unwrap().contains("NaN"), "{options:?}");
     }
 }
+
+#[test]
+fn maps_of_sweeps_have_the_colours_of_maps() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("maps");
+    fs::create_dir_all(&folder).unwrap();
+    let [rows, file] = ["rows.csv", "sweep.svg"].map(|name| folder.join(name).to_str().unwrap().to_owned());
+    let grid = ["sweep", SCENE, "--out", &rows, "--vary", "force=0.001:0.004:6", "--vary", "layer[1].thickness=1:2:6"];
+    let run = |options: &[&str]| recede(&[&grid, options].concat(), b"");
+    let drawn = |options: &[&str]| {
+        let run = run(&[&["--plot", &file], options].concat());
+        assert_eq!((run.status, &run.stderr[..]), (Some(0), ""), "{options:?}");
+        fs::read_to_string(&file).unwrap()
+    };
+    let one = ["--y", "punch_half_length"];
+    let plain = drawn(&one);
+    assert!(plain == drawn(&[&one[..], &["--colours", "magma"]].concat()));
+    let range = drawn(&[&one[..], &["--range", "0:8", "--levels", "4"]].concat());
+    assert!(texts(range.as_bytes()).split('|').any(|text| text == "8"), "{range}");
+    assert!(drawn(&[&one[..], &["--log", "colours"]].concat()) != plain && !plain.contains("NaN"));
+    for (options, said) in [
+        (&["--levels", "7"][..], "colours are of a map"),
+        (&["--plot", &file, "--range", "0:1"], "--range is of one column, found 0"),
+        (&["--plot", &file, "--y", "punch_right", "--x", "force", "--levels", "9"], "drawn as curves"),
+        (
+            &["--plot", &file, "--y", "punch_right", "--log", "colours", "--range=0:1"],
+            "logarithmic colours need values > 0",
+        ),
+    ] {
+        let run = run(options);
+        assert!(run.status == Some(2) && run.stderr.contains(said), "{options:?}: {:?} {}", run.status, run.stderr);
+    }
+}

@@ -103,7 +103,8 @@ fn singular_points_are_infinite_and_nothing_else_is() {
                 }
             }
             let mut text = Vec::new();
-            write_field(&grid.points()[..1], recede::Geometry::PlaneStrain, None, Format::Json, &mut text).unwrap();
+            let scene = recede::Scene::new(recede::Geometry::PlaneStrain, punch.clone(), 0.01, Vec::new());
+            write_field(&grid.points()[..1], &scene, Format::Json, &mut text).unwrap();
             let json: serde_json::Value = serde_json::from_slice(&text).unwrap();
             assert!(json["points"][0]["sigma_yy"].is_null() && json["points"][0]["u"].is_number());
             // on a face that is not isotropic, stresses along and across it are infinite, and different
@@ -153,12 +154,14 @@ impl Layer for Plain {
 fn a_stress_that_is_not_known_is_no_number() {
     for (plane, known) in [(Plane::Strain, false), (Plane::Stress, true)] {
         let stack = Stack::builder(plane).layer(Plain).bonded().layer(ground(1.0));
-        let (_, field) = press(stack, Punch::parabola(100.0).unwrap(), 0.01);
+        let punch = Punch::parabola(100.0).unwrap();
+        let (_, field) = press(stack, punch.clone(), 0.01);
         let [above, below] = [0.2, 0.7].map(|depth| field.at(0.1, depth).unwrap());
         assert_eq!((above.sigma_zz.is_finite(), above.von_mises().is_finite()), (known, known));
         assert!(below.von_mises().is_finite() && above.max_shear().is_finite());
         let mut text = Vec::new();
-        write_field(&[above], recede::Geometry::PlaneStrain, None, Format::Csv, &mut text).unwrap();
+        let scene = recede::Scene::new(plane, punch, 0.01, Vec::new());
+        write_field(&[above], &scene, Format::Csv, &mut text).unwrap();
         let empty = String::from_utf8(text).unwrap().trim_end().split(',').filter(|field| field.is_empty()).count();
         assert_eq!(empty, if known { 0 } else { 2 });
     }

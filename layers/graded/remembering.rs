@@ -87,6 +87,10 @@ impl Layer for Remembering {
         self.layer.continues(Self::without_memory(below)).map(Self::of)
     }
 
+    fn name(&self) -> Option<&str> {
+        self.layer.name()
+    }
+
     fn eigenstrain(&self) -> f64 {
         self.layer.eigenstrain()
     }

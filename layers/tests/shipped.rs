@@ -324,6 +324,7 @@ fn layers_are_written_as_they_are_read() {
             "(thickness: 1.0, shear_modulus: Table([(0.0, 1.0), (0.5, 3.0), (1.0, 1.0)]), \
              poisson_profile: Sigmoid(top: 0.1, bottom: 0.3, centre: 0.5, width: 0.1))",
         ),
+        ("Graded", "(thickness: 2.0, young: RelativeTable([(0.0, 1.0), (0.5, 3.0), (1.0, 1.0)]), poisson: 0.25)"),
         (
             "Orthotropic",
             "(thickness: 1.0, young: (x: 140.0, y: 10.0, z: 10.0), poisson: (xy: 0.3, xz: 0.3, yz: 0.4), \

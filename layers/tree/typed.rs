@@ -50,7 +50,7 @@ impl de::Error for ReadError {
     }
 
     fn unknown_field(found: &str, allowed: &'static [&'static str]) -> Self {
-        Fault::UnknownField { found: found.to_owned(), allowed }.into()
+        Fault::UnknownField { found: found.to_owned(), allowed: allowed.to_vec() }.into()
     }
 
     fn missing_field(field: &'static str) -> Self {
@@ -162,7 +162,7 @@ fn no_field(value: &Node, allowed: &'static [&'static str]) -> ReadError {
             Fault::syntax(format!("`{name}` has no value"), "fields are written with their values, `field: value`")
                 .at(end)
         }
-        Some(name) => Fault::UnknownField { found: name.to_owned(), allowed }.at(start),
+        Some(name) => Fault::UnknownField { found: name.to_owned(), allowed: allowed.to_vec() }.at(start),
         None => Fault::Expected(Form::Name).at(start),
     }
 }

@@ -11,7 +11,7 @@ from ._recede import CompiledTop, Scene
 from ._values import Number, Written, hints, is_record, kept, members, written
 
 #: What the reader of scenes calls the item that it reads.
-OWNER = r"(?:layer \d+ \(\w+\)|the (?:springs|interface|gap) below layer \d+|the punch|the load|punch \d+)"
+OWNER = r"(?:layer \d+(?: \".*\")? \(\w+\)|the (?:springs|interface|gap) below layer \d+|the punch|the load|punch \d+)"
 #: Units for numbers that have one.
 UNITS = 'units: (length: "m", force: "N"), '
 PUNCH = "punch: Parabola(radius: 1.0)"

@@ -49,17 +49,20 @@ class Homogeneous(StackItem):
         poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
         shear_modulus: Shear modulus μ, in stress; or in its place `young`. Allowed: a finite number > 0.
         young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
         specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
             not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "poisson", "shear_modulus", "young", "eigenstrain", "specific_weight")
+    __slots__ = ("thickness", "poisson", "shear_modulus", "young", "name", "eigenstrain", "specific_weight")
     thickness: float | str
     poisson: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    name: str | None
     eigenstrain: float | str | None
     specific_weight: float | str | None
 
@@ -70,6 +73,7 @@ class Homogeneous(StackItem):
         poisson: Number,
         shear_modulus: Number | None = None,
         young: Number | None = None,
+        name: str | None = None,
         eigenstrain: Number | None = None,
         specific_weight: Number | None = None,
     ) -> None:
@@ -78,6 +82,7 @@ class Homogeneous(StackItem):
             poisson=poisson,
             shear_modulus=shear_modulus,
             young=young,
+            name=name,
             eigenstrain=eigenstrain,
             specific_weight=specific_weight,
         )
@@ -95,18 +100,21 @@ class Exponential(StackItem):
             0.
         young: Young's modulus E at the top face, in stress; or in its place `shear_modulus`. Allowed: a finite number >
             0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
         specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
             not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young", "eigenstrain", "specific_weight")
+    __slots__ = ("thickness", "poisson", "beta", "shear_modulus", "young", "name", "eigenstrain", "specific_weight")
     thickness: float | str
     poisson: float | str
     beta: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    name: str | None
     eigenstrain: float | str | None
     specific_weight: float | str | None
 
@@ -118,6 +126,7 @@ class Exponential(StackItem):
         beta: Number,
         shear_modulus: Number | None = None,
         young: Number | None = None,
+        name: str | None = None,
         eigenstrain: Number | None = None,
         specific_weight: Number | None = None,
     ) -> None:
@@ -127,6 +136,7 @@ class Exponential(StackItem):
             beta=beta,
             shear_modulus=shear_modulus,
             young=young,
+            name=name,
             eigenstrain=eigenstrain,
             specific_weight=specific_weight,
         )
@@ -141,18 +151,21 @@ class Graded(StackItem):
         young: Young's modulus as a function of the depth d, in stress; or in its place `shear_modulus`.
         poisson: Poisson's ratio, if it is the same at any depth. Allowed: -1 < poisson <= 0.5.
         poisson_profile: Poisson's ratio as a function of depth, in place of `poisson`.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
         specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
             not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile", "eigenstrain", "specific_weight")
+    __slots__ = ("thickness", "shear_modulus", "young", "poisson", "poisson_profile", "name", "eigenstrain", "specific_weight")
     thickness: float | str
     shear_modulus: Profile | None
     young: Profile | None
     poisson: float | str | None
     poisson_profile: Profile | None
+    name: str | None
     eigenstrain: float | str | None
     specific_weight: float | str | None
 
@@ -164,6 +177,7 @@ class Graded(StackItem):
         young: Profile | None = None,
         poisson: Number | None = None,
         poisson_profile: Profile | None = None,
+        name: str | None = None,
         eigenstrain: Number | None = None,
         specific_weight: Number | None = None,
     ) -> None:
@@ -173,6 +187,7 @@ class Graded(StackItem):
             young=young,
             poisson=poisson,
             poisson_profile=poisson_profile,
+            name=name,
             eigenstrain=eigenstrain,
             specific_weight=specific_weight,
         )
@@ -186,17 +201,20 @@ class Orthotropic(StackItem):
         young: Young's moduli.
         poisson: Poisson's ratios.
         shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
         eigenstrain: The strain that the layer would have in all directions if nothing held it; 0 if it is not given.
             Allowed: a finite number.
         specific_weight: The weight of the layer, force per volume, by which it presses on what lies below; 0 if it is
             not given. Allowed: a finite number >= 0.
     """
 
-    __slots__ = ("thickness", "young", "poisson", "shear_modulus", "eigenstrain", "specific_weight")
+    __slots__ = ("thickness", "young", "poisson", "shear_modulus", "name", "eigenstrain", "specific_weight")
     thickness: float | str
     young: OrthotropicYoung
     poisson: OrthotropicPoisson
     shear_modulus: float | str
+    name: str | None
     eigenstrain: float | str | None
     specific_weight: float | str | None
 
@@ -207,6 +225,7 @@ class Orthotropic(StackItem):
         young: OrthotropicYoung | tuple[Number, Number, Number] | Mapping[str, Number],
         poisson: OrthotropicPoisson | tuple[Number, Number, Number] | Mapping[str, Number],
         shear_modulus: Number,
+        name: str | None = None,
         eigenstrain: Number | None = None,
         specific_weight: Number | None = None,
     ) -> None:
@@ -215,6 +234,7 @@ class Orthotropic(StackItem):
             young=young,
             poisson=poisson,
             shear_modulus=shear_modulus,
+            name=name,
             eigenstrain=eigenstrain,
             specific_weight=specific_weight,
         )
@@ -227,15 +247,25 @@ class HalfPlane(StackItem):
         poisson: Poisson's ratio ν, dimensionless. Allowed: -1 < poisson <= 0.5.
         shear_modulus: Shear modulus μ, in stress; or in its place `young`. Allowed: a finite number > 0.
         young: Young's modulus E, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
     """
 
-    __slots__ = ("poisson", "shear_modulus", "young")
+    __slots__ = ("poisson", "shear_modulus", "young", "name")
     poisson: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    name: str | None
 
-    def __init__(self, *, poisson: Number, shear_modulus: Number | None = None, young: Number | None = None) -> None:
-        self._set(poisson=poisson, shear_modulus=shear_modulus, young=young)
+    def __init__(
+        self,
+        *,
+        poisson: Number,
+        shear_modulus: Number | None = None,
+        young: Number | None = None,
+        name: str | None = None,
+    ) -> None:
+        self._set(poisson=poisson, shear_modulus=shear_modulus, young=young, name=name)
 
 
 class GradedHalfPlane(StackItem):
@@ -247,13 +277,16 @@ class GradedHalfPlane(StackItem):
             finite number >= 0 (a half-plane that softens without end carries no force).
         shear_modulus: Shear modulus μ at the face, in stress; or in its place `young`. Allowed: a finite number > 0.
         young: Young's modulus E at the face, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
     """
 
-    __slots__ = ("poisson", "beta", "shear_modulus", "young")
+    __slots__ = ("poisson", "beta", "shear_modulus", "young", "name")
     poisson: float | str
     beta: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    name: str | None
 
     def __init__(
         self,
@@ -262,8 +295,9 @@ class GradedHalfPlane(StackItem):
         beta: Number,
         shear_modulus: Number | None = None,
         young: Number | None = None,
+        name: str | None = None,
     ) -> None:
-        self._set(poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young)
+        self._set(poisson=poisson, beta=beta, shear_modulus=shear_modulus, young=young, name=name)
 
 
 class PowerHalfPlane(StackItem):
@@ -276,14 +310,17 @@ class PowerHalfPlane(StackItem):
             a finite number > -1 (a half-plane that softens faster carries no force).
         shear_modulus: Shear modulus μ at the face, in stress; or in its place `young`. Allowed: a finite number > 0.
         young: Young's modulus E at the face, in stress; or in its place `shear_modulus`. Allowed: a finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
     """
 
-    __slots__ = ("poisson", "length", "exponent", "shear_modulus", "young")
+    __slots__ = ("poisson", "length", "exponent", "shear_modulus", "young", "name")
     poisson: float | str
     length: float | str
     exponent: float | str
     shear_modulus: float | str | None
     young: float | str | None
+    name: str | None
 
     def __init__(
         self,
@@ -293,8 +330,16 @@ class PowerHalfPlane(StackItem):
         exponent: Number,
         shear_modulus: Number | None = None,
         young: Number | None = None,
+        name: str | None = None,
     ) -> None:
-        self._set(poisson=poisson, length=length, exponent=exponent, shear_modulus=shear_modulus, young=young)
+        self._set(
+            poisson=poisson,
+            length=length,
+            exponent=exponent,
+            shear_modulus=shear_modulus,
+            young=young,
+            name=name,
+        )
 
 
 class OrthotropicHalfPlane(StackItem):
@@ -304,12 +349,15 @@ class OrthotropicHalfPlane(StackItem):
         young: Young's moduli.
         poisson: Poisson's ratios.
         shear_modulus: Shear modulus G_xy, in stress. Allowed: a finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
     """
 
-    __slots__ = ("young", "poisson", "shear_modulus")
+    __slots__ = ("young", "poisson", "shear_modulus", "name")
     young: OrthotropicYoung
     poisson: OrthotropicPoisson
     shear_modulus: float | str
+    name: str | None
 
     def __init__(
         self,
@@ -317,8 +365,9 @@ class OrthotropicHalfPlane(StackItem):
         young: OrthotropicYoung | tuple[Number, Number, Number] | Mapping[str, Number],
         poisson: OrthotropicPoisson | tuple[Number, Number, Number] | Mapping[str, Number],
         shear_modulus: Number,
+        name: str | None = None,
     ) -> None:
-        self._set(young=young, poisson=poisson, shear_modulus=shear_modulus)
+        self._set(young=young, poisson=poisson, shear_modulus=shear_modulus, name=name)
 
 
 class Winkler(StackItem):
@@ -328,14 +377,17 @@ class Winkler(StackItem):
         stiffness: Stiffness k, in stress/length. Allowed: a finite number > 0.
         shear_stiffness: Stiffness k_t along the face, in stress/length; without it, the layer slides freely. Allowed: a
             finite number > 0.
+        name: A name by which reports and pictures call the layer. Allowed: a text of 1 to 40 characters in one line
+            that is no number.
     """
 
-    __slots__ = ("stiffness", "shear_stiffness")
+    __slots__ = ("stiffness", "shear_stiffness", "name")
     stiffness: float | str
     shear_stiffness: float | str | None
+    name: str | None
 
-    def __init__(self, *, stiffness: Number, shear_stiffness: Number | None = None) -> None:
-        self._set(stiffness=stiffness, shear_stiffness=shear_stiffness)
+    def __init__(self, *, stiffness: Number, shear_stiffness: Number | None = None, name: str | None = None) -> None:
+        self._set(stiffness=stiffness, shear_stiffness=shear_stiffness, name=name)
 
 
 class Bonded(StackItem):

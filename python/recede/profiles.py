@@ -106,12 +106,27 @@ class Table(Profile):
         self._set(rows=rows)
 
 
+class RelativeTable(Profile):
+    """The same with depths in parts of the thickness, from 0 down to 1 or beyond: `[(depth/thickness, value), ...]`.
+
+    Args:
+        rows: Allowed: [(depth, value), ...], two or more with increasing depths, the first 0.
+    """
+
+    __slots__ = ("rows",)
+    rows: tuple[Row, ...]
+
+    def __init__(self, rows: Rows) -> None:
+        self._set(rows=rows)
+
+
 __all__ = [
     "Constant",
     "Exponential",
     "Linear",
     "Power",
     "Profile",
+    "RelativeTable",
     "Sigmoid",
     "Table",
 ]

@@ -40,7 +40,7 @@ impl Rows {
         let made = if in_step { Sweep::of_rows } else { Sweep::new };
         let sweep = made(scene.get().inner.clone(), axes).and_then(|sweep| sweep.with_options(options));
         let sweep = sweep.map_err(|error| raised(py, error))?;
-        let probe = |text: &String| Probe::parse(text, sweep.scene().coordinates());
+        let probe = |text: &String| Probe::parse(&sweep.scene().numbered(text), sweep.scene().coordinates());
         let probes: Result<Vec<Probe>, _> = at.iter().map(probe).collect();
         let sweep = sweep.with_probes(probes.map_err(|error| raised(py, error))?);
         let sweep = if approach { sweep.with_approach() } else { sweep };

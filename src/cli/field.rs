@@ -3,11 +3,11 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
-use recede::plot::{self, Colours, MapStyle};
+use recede::plot::{self, MapStyle};
 use recede::report::{Format, write_field};
 use recede::{Coordinates, FieldQuantity, SpacePoint};
 
-use super::plot::Page;
+use super::plot::{ColourOptions, Page, range};
 use super::{Failure, SceneFile, outputs, solved, warn};
 
 /// Places along the layers and depths of a grid that is not specified.
@@ -35,10 +35,10 @@ Exit status: 0 written, 1 no admissible solution, 2 bad input.")]
 pub struct FieldArguments {
     #[command(flatten)]
     file: SceneFile,
-    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer if that is not clear. Under loads at
+    /// A point: x, or r about an axis, and the depth below the stack's top face; and which layer, by its number or name, if that is not clear. Under loads at
     /// places (x, y): X,Y,DEPTH
     #[arg(long, value_name = "X,DEPTH[@LAYER]", allow_hyphen_values = true)]
-    at: Vec<SpacePoint>,
+    at: Vec<String>,
     /// The vertical plane of a grid or a map under loads at places (x, y)
     #[arg(long, default_value = "0", conflicts_with = "at", allow_hyphen_values = true)]
     y: f64,
@@ -68,36 +68,11 @@ pub struct FieldArguments {
     tolerance: f64,
     #[command(flatten)]
     page: Page,
-    #[command(flatten)]
-    style: Style,
-}
-
-/// Colours of a map
-#[derive(Debug, clap::Args)]
-struct Style {
-    /// Values at which the colours of a map begin and end
-    #[arg(long, value_name = "LOW:HIGH", value_parser = range, conflicts_with = "at", allow_hyphen_values = true)]
-    range: Option<[f64; 2]>,
     /// Logarithmic colours of a map, over three decades unless --range says which
-    #[arg(long, conflicts_with = "at")]
+    #[arg(long)]
     log: bool,
-    /// How many colours a map has, from 2 to 256
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=256), conflicts_with = "at")]
-    levels: Option<u16>,
-    /// Which colours: the last two tell the sign
-    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(Colours::NAMED.map(|(name, _)| name)), conflicts_with = "at")]
-    colours: Option<String>,
-}
-
-impl Style {
-    fn of_map(&self) -> MapStyle {
-        MapStyle {
-            range: self.range,
-            is_logarithmic: self.log,
-            levels: self.levels.map(usize::from),
-            colours: self.colours.as_deref().and_then(Colours::named),
-        }
-    }
+    #[command(flatten)]
+    colours: ColourOptions,
 }
 
 /// Equally spaced numbers, one value of an option.
@@ -119,16 +94,6 @@ fn steps(text: &str) -> Result<Steps, String> {
     legal.then(|| spaced(start, stop, count)).ok_or_else(refused)
 }
 
-/// LOW:HIGH.
-fn range(text: &str) -> Result<[f64; 2], String> {
-    let wrong =
-        || format!("found `{text}`, expected LOW:HIGH as in 0:2.5, finite numbers of which the second is larger");
-    let (low, high) = text.split_once(':').ok_or_else(wrong)?;
-    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
-    let ends = number(low).zip(number(high)).filter(|(low, high)| low < high);
-    ends.map(|(low, high)| [low, high]).ok_or_else(wrong)
-}
-
 /// LEFT:RIGHT,TOP:BOTTOM.
 fn window(text: &str) -> Result<[[f64; 2]; 2], String> {
     let wrong = || format!("found `{text}`, expected LEFT:RIGHT,TOP:BOTTOM as in -1:1,0:0.5");
@@ -145,13 +110,16 @@ impl FieldArguments {
                 "leave out --at, or let the file end in .csv or .json",
             ));
         }
-        if format.is_some() && self.style.of_map() != MapStyle::default() {
+        if format.is_some() && self.colours.style(self.log) != MapStyle::default() {
             return Err(Failure::usage(
                 "colours are of a map, not of numbers",
                 "let the file end in .svg, .pdf or .png, or leave out --range, --log, --levels and --colours",
             ));
         }
         let scene = self.file.read_for(self.out.as_deref().as_slice())?;
+        let at: Result<Vec<SpacePoint>, _> = self.at.iter().map(|text| scene.numbered(text).parse()).collect();
+        let wrong = |message| Failure::usage(message, "LAYER is a number, from 1 at the top, or a name in the scene");
+        let at = at.map_err(wrong)?;
         let (model, solution) = solved(&scene, self.tolerance)?;
         warn(&solution);
         let field = model.field(&solution)?.at_y(self.y)?;
@@ -161,7 +129,7 @@ impl FieldArguments {
             let quantity = self.quantity(scene.coordinates())?;
             let window = self.window.map_or_else(|| field.window_of(quantity), Ok)?;
             let [xs, depths] = self.grid(window, MAP);
-            let (grids, style) = (field.by_layer(&xs, &depths)?, self.style.of_map());
+            let (grids, style) = (field.by_layer(&xs, &depths)?, self.colours.style(self.log));
             let picture = plot::map_with(&scene, &solution, &field, &grids, quantity, &style)?;
             return self.page.save(picture, &scene, path);
         };
@@ -170,7 +138,7 @@ impl FieldArguments {
             let [xs, depths] = self.grid(window, if format == Format::Table { TABLE } else { LIST });
             field.grid(&xs, &depths)?.points().to_vec()
         } else {
-            field.points_in_space(&self.at)?
+            field.points_in_space(&at)?
         };
         if format == Format::Table && points.len() > READABLE {
             return Err(Failure::usage(
@@ -178,9 +146,7 @@ impl FieldArguments {
                 "write them to a file, --out FILE.csv, or say --format csv",
             ));
         }
-        outputs::write(self.out.as_deref(), out, |out| {
-            write_field(&points, field.coordinates(), scene.units.as_ref(), format, out)
-        })
+        outputs::write(self.out.as_deref(), out, |out| write_field(&points, &scene, format, out))
     }
 
     /// The format of numbers at points, as the name of the file asks for; `None` for a map.

@@ -28,7 +28,7 @@ pub(super) struct GridArguments {
     /// tension across each interface that does not open
     #[arg(long)]
     extremes: bool,
-    /// Add a column with a stress, strain or displacement at a point, with names as in `recede field`: `0,0.2@1=eps_xx`, or X,Y,DEPTH under loads at places (x, y);
+    /// Add a column with a stress, strain or displacement at a point, with names as in `recede field`: `0,0.2@1=eps_xx`, `0,0.2@asphalt=eps_xx`, or X,Y,DEPTH under loads at places (x, y);
     /// may be repeated
     #[arg(long, value_name = "X,DEPTH[@LAYER]=QUANTITY", allow_hyphen_values = true)]
     at: Vec<String>,
@@ -73,7 +73,7 @@ impl GridArguments {
         };
         let tolerance = self.tolerance.unwrap_or(sweep.options().tolerance);
         let sweep = sweep.with_options(Options { tolerance })?;
-        let probe = |text: &String| Probe::parse(text, sweep.scene().coordinates());
+        let probe = |text: &String| Probe::parse(&sweep.scene().numbered(text), sweep.scene().coordinates());
         let probes = self.at.iter().map(probe).collect::<Result<_, _>>().map_err(Error::from)?;
         let sweep = sweep.with_probes(probes);
         let sweep = if self.approach { sweep.with_approach() } else { sweep };

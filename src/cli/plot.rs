@@ -1,7 +1,8 @@
 //! `recede plot`: the stack, its contacts and their pressures as a picture.
 use std::path::{Path, PathBuf};
 
-use recede::plot::{self, Kind, Picture};
+use clap::builder::PossibleValuesParser;
+use recede::plot::{self, Colours, Kind, MapStyle, Picture};
 use recede::{Scene, profile_places};
 
 use super::{Failure, SceneFile, solved};
@@ -35,6 +36,32 @@ impl Page {
     }
 }
 
+/// Colours of maps
+#[derive(Debug, clap::Args)]
+pub struct ColourOptions {
+    /// Values at which the colours of a map begin and end
+    #[arg(long, value_name = "LOW:HIGH", value_parser = range, allow_hyphen_values = true)]
+    pub range: Option<[f64; 2]>,
+    /// How many colours a map has, from 2 to 256
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=256))]
+    levels: Option<u16>,
+    /// Which colours: the last two tell the sign
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(Colours::NAMED.map(|(name, _)| name)))]
+    colours: Option<String>,
+}
+
+impl ColourOptions {
+    /// The style of maps, with logarithmic colours or others.
+    pub fn style(&self, is_logarithmic: bool) -> MapStyle {
+        MapStyle {
+            range: self.range,
+            is_logarithmic,
+            levels: self.levels.map(usize::from),
+            colours: self.colours.as_deref().and_then(Colours::named),
+        }
+    }
+}
+
 /// A number between two, both included.
 fn between(text: &str, [least, most]: [f64; 2]) -> Option<f64> {
     text.trim().parse().ok().filter(|number| (least..=most).contains(number))
@@ -49,6 +76,16 @@ fn size(text: &str) -> Result<(f64, f64), String> {
 
 fn font_size(text: &str) -> Result<f64, String> {
     between(text, [1.0, 100.0]).ok_or_else(|| format!("found `{text}`, allowed is a number from 1 to 100"))
+}
+
+/// LOW:HIGH.
+pub fn range(text: &str) -> Result<[f64; 2], String> {
+    let wrong =
+        || format!("found `{text}`, expected LOW:HIGH as in 0:2.5, finite numbers of which the second is larger");
+    let (low, high) = text.split_once(':').ok_or_else(wrong)?;
+    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
+    let ends = number(low).zip(number(high)).filter(|(low, high)| low < high);
+    ends.map(|(low, high)| [low, high]).ok_or_else(wrong)
 }
 
 /// Draw a scene to scale with its contacts, and the pressures below it

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 
-use recede::plot::{self, DrawnColumns, Kind};
+use recede::plot::{self, DrawnColumns, Kind, MapStyle};
 use recede::report::SweepCsv;
 use recede::{Part, Sweep};
 
 use super::grid::GridArguments;
-use super::plot::Page;
+use super::plot::{ColourOptions, Page};
 use super::progress::Progress;
 use super::rows_file;
 use super::{Failure, outputs, tell};
@@ -31,6 +31,7 @@ Examples:
   recede sweep scene.ron --vary force=1:10:10 --extremes --out stresses.csv
   recede sweep scene.ron --vary depth=1:9:9 --plot p.svg --x depth --y force
   recede sweep scene.ron --vary force=1:9:9 --plot p.svg --log x,y
+  recede sweep sweep.ron --plot map.png --log colours --colours viridis
   recede sweep scene.ron --vary force=1:10:10 --at 0,0.2@1=eps_xx
   recede sweep scene.ron --rows samples.csv --out results.csv
   recede sweep scene.ron --set layer[1].thickness=2 --vary force=1:10:10
@@ -59,9 +60,11 @@ pub struct SweepArguments {
     /// Draw them over this column rather than over the axis with most values: `--x approach --y force`
     #[arg(long, value_name = "NAME", requires = "y")]
     x: Option<String>,
-    /// Axes on which equal ratios, not equal differences, are equally far apart: `--log x`, `--log y` or `--log x,y`
-    #[arg(long, value_name = "x,y", value_delimiter = ',', requires = "plot")]
-    log: Vec<Direction>,
+    /// Axes on which equal ratios, not equal differences, are equally far apart, and colours of maps: `--log x`, `--log x,y`, `--log colours`
+    #[arg(long, value_name = "x,y,colours", value_delimiter = ',', requires = "plot")]
+    log: Vec<Logarithmic>,
+    #[command(flatten)]
+    colours: ColourOptions,
     #[command(flatten)]
     page: Page,
     /// Threads that compute [default: one for each processor]
@@ -69,11 +72,12 @@ pub struct SweepArguments {
     threads: Option<NonZeroUsize>,
 }
 
-/// An axis of a picture.
+/// A scale of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum Direction {
+enum Logarithmic {
     X,
     Y,
+    Colours,
 }
 
 impl SweepArguments {
@@ -86,6 +90,12 @@ impl SweepArguments {
         self.check_files(&sweep, lines.as_deref().filter(|_| is_parquet))?;
         let csv = SweepCsv::new(&sweep);
         let columns = self.columns(&csv)?;
+        if self.style() != MapStyle::default() && !plot::is_map(&sweep, &columns) {
+            return Err(Failure::usage(
+                "colours are of a map, and this sweep is drawn as curves",
+                "leave out --range, --levels, --colours and --log colours and the column --x, or vary two quantities with six values or more each",
+            ));
+        }
         let drawn = |index| self.plot.is_some() && plot::is_drawn(&sweep, index);
         let mut rows = Vec::new();
         let wanted = self.part.map_or(0..sweep.len(), |part| part.rows(sweep.len()));
@@ -130,6 +140,11 @@ impl SweepArguments {
         Ok(())
     }
 
+    /// How maps are coloured.
+    fn style(&self) -> MapStyle {
+        self.colours.style(self.log.contains(&Logarithmic::Colours))
+    }
+
     /// The columns that are drawn, by their names.
     fn columns(&self, csv: &SweepCsv) -> Result<DrawnColumns, Failure> {
         let column = |name: &String| {
@@ -146,7 +161,8 @@ impl SweepArguments {
         Ok(DrawnColumns {
             along: self.x.as_ref().map(column).transpose()?,
             up: self.y.iter().map(column).collect::<Result<_, Failure>>()?,
-            logarithmic: [Direction::X, Direction::Y].map(|direction| self.log.contains(&direction)),
+            logarithmic: [Logarithmic::X, Logarithmic::Y].map(|axis| self.log.contains(&axis)),
+            style: self.style(),
         })
     }
 
@@ -164,6 +180,15 @@ impl SweepArguments {
             return Err(Failure::usage(
                 "--plot cannot be used with --rows: pictures are drawn of grids",
                 "leave out --plot, or make a grid by --vary",
+            ));
+        }
+        if self.plot.is_none() && self.style() != MapStyle::default() {
+            return Err(Failure::usage("colours are of a map", "name the file of the picture, --plot FILE.svg"));
+        }
+        if self.colours.range.is_some() && self.y.len() != 1 {
+            return Err(Failure::usage(
+                format!("--range is of one column, found {} names in --y", self.y.len()),
+                "name the column that is drawn: --y punch_peak_pressure",
             ));
         }
         // that a picture cannot be written is better known before than after

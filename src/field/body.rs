@@ -2,7 +2,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use recede_layers::{Layer, Material, State, Wave};
+use recede_layers::{Layer, Material, State, Wave, layer_label};
 
 use super::pressure::ContactPressure;
 use super::surface::{Components, Remainder, Surface};
@@ -50,6 +50,11 @@ impl PlacedLayer {
             residual_stress(&*self.layer, &material, geometry, strain, depth)
         };
         self.residual.map_or([0.0; 3], of)
+    }
+
+    /// What it is called in messages.
+    pub(super) fn label(&self) -> String {
+        layer_label(self.number, self.layer.name())
     }
 
     /// Depth of its bottom face, infinite for a half-plane.

@@ -421,8 +421,8 @@ impl Field {
 
     fn outside(&self, point: &Point) -> FieldError {
         let layers = self.layers.iter().map(|placed| match placed.thickness {
-            Some(_) => format!("layer {} from {:?} to {:?}", placed.number, placed.top, placed.bottom()),
-            None => format!("layer {} from {:?} down", placed.number, placed.top),
+            Some(_) => format!("{} from {:?} to {:?}", placed.label(), placed.top, placed.bottom()),
+            None => format!("{} from {:?} down", placed.label(), placed.top),
         });
         let allowed = layers.collect::<Vec<_>>().join(", ");
         FieldError::Outside { place: point.written_in(self.geometry), allowed }

@@ -1,8 +1,9 @@
 //! A quantity over a plane in bands of colour, and the scale that says which colour is which value.
 use super::chart::upright_axis;
 use super::contour::rings;
+use super::file::PlotError;
 use super::picture::{Anchor, Colour, Picture};
-use super::scale::Scale;
+use super::scale::{Scale, short};
 use super::style::{Colours, INK, NEUTRAL, hair};
 
 /// Fewest bands of colour, and how many there are where ratios are equal.
@@ -33,6 +34,20 @@ pub struct MapStyle {
     pub levels: Option<usize>,
     /// Which.
     pub colours: Option<Colours>,
+}
+
+impl MapStyle {
+    /// The scale of colours between these ends, unless the style has others; an error if it is logarithmic and they are not positive.
+    pub(super) fn scale(&self, ends: [f64; 2]) -> Result<Scale, PlotError> {
+        let ends = self.range.unwrap_or(ends);
+        let scale = Scale::around(ends);
+        if self.is_logarithmic && scale.ends().0 <= 0.0 {
+            let [from, to] = ends.map(short);
+            let message = format!("logarithmic colours need values > 0, found {from} to {to}: give a range > 0");
+            return Err(PlotError::Drawing(message));
+        }
+        Ok(if self.is_logarithmic { scale.logarithmic() } else { scale })
+    }
 }
 
 /// Bands of a quantity and their colours.

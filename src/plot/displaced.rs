@@ -4,6 +4,7 @@ use super::punch::rounded_down;
 use super::scale::label;
 use crate::field::FaceSide;
 use crate::profile::FaceProfiles;
+use crate::scene::Scene;
 use crate::solution::Interface;
 
 /// The largest displacement that is drawn, in points, unless the factor is given.
@@ -79,9 +80,9 @@ impl Displaced {
     }
 
     /// A sentence on what is drawn.
-    pub(super) fn note(&self, times: f64) -> String {
+    pub(super) fn note(&self, scene: &Scene, times: f64) -> String {
         let from = match self.ground {
-            Some(number) => format!("counted from both ends of the top face of layer {number}"),
+            Some(number) => format!("counted from both ends of the top face of {}", scene.layer_label(number)),
             None => "counted from the rigid base".to_owned(),
         };
         format!("displacements drawn × {}, {from}", label(times))

@@ -117,26 +117,13 @@ pub fn map_with(
 fn shown((low, high): (f64, f64), style: &MapStyle) -> Result<Scale, PlotError> {
     let (least, most) = (low.abs().min(high.abs()), low.abs().max(high.abs()));
     let has_signs = low < -OTHER_SIGN * most && high > OTHER_SIGN * most;
-    let ends = match style.range {
-        Some(ends) => ends,
-        None if has_signs => [low, high],
-        None if style.is_logarithmic => [low.max(DECADES * high), high],
-        None if low * high < 0.0 || least < NEAR_ZERO * most => {
-            if high > -low {
-                [0.0, high]
-            } else {
-                [low, 0.0]
-            }
-        }
-        None => [low, high],
-    };
-    let scale = Scale::around(ends);
-    if style.is_logarithmic && scale.ends().0 <= 0.0 {
-        let [from, to] = ends.map(short);
-        let message = format!("logarithmic colours need values > 0, found {from} to {to}: give a range > 0");
-        return Err(PlotError::Drawing(message));
-    }
-    Ok(if style.is_logarithmic { scale.logarithmic() } else { scale })
+    style.scale(match style.is_logarithmic {
+        _ if has_signs => [low, high],
+        true => [low.max(DECADES * high), high],
+        false if low * high >= 0.0 && least >= NEAR_ZERO * most => [low, high],
+        false if high > -low => [0.0, high],
+        false => [low, 0.0],
+    })
 }
 
 /// A value, or 0 if it is less than its error: rounding is not drawn.
@@ -301,7 +288,7 @@ impl Map<'_> {
         for (number, [from, to]) in &self.layers {
             let [upper, lower] = [*from, *to].map(height);
             if upper < lower {
-                labels.push((0.5 * (upper + lower), format!("layer {number}")));
+                labels.push((0.5 * (upper + lower), self.section.scene.layer_label(*number)));
             }
         }
         let numbers: Vec<usize> = self.layers.iter().map(|(number, _)| *number).collect();
@@ -337,7 +324,8 @@ impl Map<'_> {
                     format!("cross: largest{what} on the grid of this map")
                 }
             };
-            let place = format!("at {along} = {}{length}, depth {}{length} in layer {layer}", short(*x), short(*depth));
+            let [x, depth, layer] = [short(*x), short(*depth), scene.layer_label(*layer)];
+            let place = format!("at {along} = {x}{length}, depth {depth}{length} in {layer}");
             notes.push(format!("{mark}, {}{stress} {place}", short(*value)));
         }
         if self.clipped {

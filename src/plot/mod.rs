@@ -48,4 +48,4 @@ pub use picture::{Anchor, Colour, Picture, Stroke, italic, subscript};
 pub use scale::{Scale, Tick, label, ten_to};
 pub use stack::{deformed, stack};
 pub use style::Colours;
-pub use sweep::{DrawnColumns, is_drawn, sweep};
+pub use sweep::{DrawnColumns, is_drawn, is_map, sweep};

@@ -91,7 +91,7 @@ pub fn deformed(
     let thick: Vec<f64> = drawing.heights.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let times = times.map_or_else(|| Ok(displaced.times(scale, &thick)), |times| displaced.seen(times, scale))?;
     drawing.displace(&displaced, times, &profile.x);
-    let notes = [Some(displaced.note(times)), note];
+    let notes = [Some(displaced.note(scene, times)), note];
     Ok(drawing.draw(&notes.into_iter().flatten().collect::<Vec<_>>()))
 }
 
@@ -313,7 +313,8 @@ impl<'a> Drawing<'a> {
             None => (String::new(), " at its top"),
         };
         let thick = thick.map_or(String::new(), |h| format!("{}{number} = {}{length}, ", italic("h"), short(h)));
-        format!("{thick}{symbol}{number} = {modulus}{until}{stress}{at}")
+        let name = placed.layer.name().map_or(String::new(), |name| format!("{name}: "));
+        format!("{name}{thick}{symbol}{number} = {modulus}{until}{stress}{at}")
     }
 
     /// Thin lines where layers are bonded and around a rigid base, thick ones where bodies touch, and as far as they do.

@@ -42,6 +42,8 @@ pub struct DrawnColumns {
     pub up: Vec<(usize, String)>,
     /// Whether equal ratios, not equal differences, are equally far apart along x, and along y.
     pub logarithmic: [bool; 2],
+    /// How maps are coloured, all of them.
+    pub style: MapStyle,
 }
 
 /// The axes of the planes of a picture, and the size of a plane.
@@ -72,6 +74,11 @@ pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
     point.is_multiple_of(step(count, most[0])) && other.is_multiple_of(step(others, most[1]))
 }
 
+/// Whether a sweep is drawn as maps, not as curves.
+pub fn is_map(sweep: &Sweep, columns: &DrawnColumns) -> bool {
+    Layout::of(sweep, &[], columns).is_some_and(|layout| layout.up.is_some())
+}
+
 /// A sweep over two axes of six values or more each as maps over both; any other as curves over the axis with most values, one for
 /// each combination of the others. Points with a warning have a circle, those without a solution a cross, and where a curve
 /// jumps it is dotted.
@@ -80,7 +87,8 @@ pub fn is_drawn(sweep: &Sweep, row: usize) -> bool {
 /// [are not drawn](is_drawn) may be left out.
 ///
 /// # Errors
-/// [`PlotError::Empty`] if no axis has two values; [`PlotError::Drawing`] if a value is not positive where ratios are to be equally far apart.
+/// [`PlotError::Empty`] if no axis has two values; [`PlotError::Drawing`] if a value is not positive where ratios are to be equally far apart or to have
+/// equally many colours.
 pub fn sweep(sweep: &Sweep, points: &[SweepPoint], columns: &DrawnColumns) -> Result<Picture, PlotError> {
     let empty = || PlotError::Empty("a curve needs a quantity that takes two values".into());
     let layout = Layout::of(sweep, points, columns).ok_or_else(empty)?;
@@ -93,7 +101,7 @@ pub fn sweep(sweep: &Sweep, points: &[SweepPoint], columns: &DrawnColumns) -> Re
         let middle = 0.5 * (frame.left + frame.right);
         picture.text((middle, frame.top - HEADING), &plane.what, TEXT, INK, Anchor::Centre);
         if layout.up.is_some() {
-            layout.map(&mut picture, plane);
+            layout.map(&mut picture, plane)?;
         } else {
             jumping |= layout.curves(&mut picture, plane, &families);
         }
@@ -244,7 +252,7 @@ impl<'a> Layout<'a> {
         if low > 0.0 && high / low >= WIDE && values.len() > 2 && same { scale.logarithmic() } else { scale }
     }
 
-    fn map(&self, picture: &mut Picture, plane: &SweepPlane) {
+    fn map(&self, picture: &mut Picture, plane: &SweepPlane) -> Result<(), PlotError> {
         let axes = [self.along, self.up.unwrap_or(self.along)];
         let [xs, ys] = [0, 1].map(|k| {
             let axis = &self.sweep.axes()[axes[k]];
@@ -262,12 +270,16 @@ impl<'a> Layout<'a> {
         let y = self.scale(axes[1], self.most[1]);
         let y = if self.columns.logarithmic[1] { y.logarithmic() } else { y };
         let chart = self.chart(plane, y, Vec::new());
-        let scale = Scale::around(values.iter().copied()).of(&plane.label, plane.unit.clone());
-        let bands = Bands::new(scale, None, &MapStyle::default());
+        // a plane without numbers is white in any style
+        let has_numbers = values.iter().any(|value| value.is_finite());
+        let style = if has_numbers { self.columns.style } else { MapStyle::default() };
+        let (low, high) = Scale::around(values.iter().copied()).ends();
+        let bands = Bands::new(style.scale([low, high])?.of(&plane.label, plane.unit.clone()), None, &style);
         bands.draw(picture, [&xs, &ys], &values, |place| chart.place(place));
         chart.draw(picture);
         let Frame { right, top, bottom, .. } = chart.frame;
         bands.bar(picture, (right + BEFORE_BAR, top), bottom);
+        Ok(())
     }
 
     /// Curves with marks; whether one of them jumps.

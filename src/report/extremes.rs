@@ -11,11 +11,16 @@ use crate::scene::{Item, Scene};
 /// wherever the name of the column has it.
 const PLACE: [&str; 4] = ["error", "x", "depth", "layer"];
 
-pub(super) fn json(extremes: &Extremes) -> Value {
+pub(super) fn json(scene: &Scene, extremes: &Extremes) -> Value {
+    let layer = |of: &LayerExtremes| {
+        let mut layer = json!(of);
+        scene.layer_name(of.layer).into_iter().for_each(|name| layer["name"] = name.into());
+        layer
+    };
     let bond = |of: &BondExtremes| json!({"interface": name(of), "shear": of.shear, "tension": of.tension});
     json!({
         "tension": extremes.tension,
-        "layers": extremes.layers,
+        "layers": extremes.layers.iter().map(layer).collect::<Vec<_>>(),
         "interfaces": extremes.bonds.iter().map(bond).collect::<Vec<_>>(),
     })
 }
@@ -25,7 +30,13 @@ fn name(bond: &BondExtremes) -> String {
 }
 
 /// A table with a line for each stress or strain; `place` is what its place along the layers is called.
-pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, stress]: [&str; 2]) -> Table {
+pub(super) fn table(
+    scene: &Scene,
+    extremes: &Extremes,
+    place: &str,
+    digits: Digits,
+    [length, stress]: [&str; 2],
+) -> Table {
     let mut table = ruled([("largest", ""), ("stress", stress), (&format!("at {place}"), length), ("depth", length)]);
     let mut add = |what: String, found: Option<Extreme>, none: &str| {
         let row = match found {
@@ -36,11 +47,12 @@ pub(super) fn table(extremes: &Extremes, place: &str, digits: Digits, [length, s
         };
         table.add_row([what].into_iter().chain(row));
     };
-    let layer = |found: Option<Extreme>| found.map_or(String::new(), |found| format!(" (layer {})", found.layer));
-    add(format!("tension{}", layer(extremes.tension)), extremes.tension, "none");
+    let within = extremes.tension.map(|found| format!(" ({})", scene.layer_label(found.layer)));
+    add(format!("tension{}", within.unwrap_or_default()), extremes.tension, "none");
     for LayerExtremes { layer, von_mises, tensile_strain } in &extremes.layers {
-        add(format!("layer {layer}: von Mises stress"), *von_mises, "not known");
-        add(format!("layer {layer}: tensile strain (no unit)"), *tensile_strain, "none");
+        let layer = scene.layer_label(*layer);
+        add(format!("{layer}: von Mises stress"), *von_mises, "not known");
+        add(format!("{layer}: tensile strain (no unit)"), *tensile_strain, "none");
     }
     for bond in &extremes.bonds {
         add(format!("{}: shear stress", name(bond)), bond.shear, "none");

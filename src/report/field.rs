@@ -14,7 +14,7 @@ use super::sweep::owner;
 use crate::field::{FaceProfile, FieldPoint, FieldQuantity};
 use crate::geometry::Coordinates;
 use crate::profile::{ContactProfile, FaceProfiles};
-use crate::scene::{Dimension, Units};
+use crate::scene::{Dimension, Scene, Units};
 
 /// The stresses, displacements and strains at points, by the names that they have in this geometry, after the places; stable, more may be added. What
 /// is infinite, or not known, is infinite or NaN.
@@ -56,25 +56,19 @@ impl Serialize for PointRow<'_> {
 /// let model = Model::new(scene.stack()?)?;
 /// let field = model.field(&model.press(&scene.top, scene.force)?)?;
 /// let mut text = Vec::new();
-/// write_field(&[field.at(0.0, 0.5)?], scene.geometry, scene.units.as_ref(), Format::Csv, &mut text)?;
+/// write_field(&[field.at(0.0, 0.5)?], &scene, Format::Csv, &mut text)?;
 /// assert!(text.starts_with(b"x,depth,layer,sigma_xx,"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors
 /// Errors of the writer.
-pub fn write_field(
-    points: &[FieldPoint],
-    coordinates: impl Into<Coordinates>,
-    units: Option<&Units>,
-    format: Format,
-    out: &mut dyn io::Write,
-) -> io::Result<()> {
-    let coordinates = coordinates.into();
+pub fn write_field(points: &[FieldPoint], scene: &Scene, format: Format, out: &mut dyn io::Write) -> io::Result<()> {
+    let coordinates = scene.coordinates();
     match format {
         Format::Table => {
-            writeln!(out, "{}", table(points, coordinates, units))?;
-            writeln!(out, "{}", strains(points, coordinates, units))
+            writeln!(out, "{}", table(points, scene))?;
+            writeln!(out, "{}", strains(points, scene))
         }
         Format::Json => {
             let columns = field_columns(points, coordinates);
@@ -90,29 +84,26 @@ pub fn write_field(
 const SHOWN: Digits = Digits(Some(5));
 
 /// The stresses and displacements.
-fn table(points: &[FieldPoint], coordinates: Coordinates, units: Option<&Units>) -> Table {
+fn table(points: &[FieldPoint], scene: &Scene) -> Table {
     use FieldQuantity::{MaxShear, SigmaXx, SigmaXy, SigmaXz, SigmaYy, SigmaYz, SigmaZz, U, V, VonMises, W};
-    let quantities: &[FieldQuantity] = match coordinates {
+    let quantities: &[FieldQuantity] = match scene.coordinates() {
         Coordinates::Plane => &[SigmaXx, SigmaYy, SigmaXy, MaxShear, VonMises, U, V],
         Coordinates::Cylindrical => &[SigmaXx, SigmaYy, SigmaXy, SigmaZz, MaxShear, VonMises, U, V],
         Coordinates::Cartesian => &[SigmaXx, SigmaZz, SigmaYy, SigmaXz, SigmaXy, SigmaYz, VonMises, U, W, V],
     };
-    table_of(quantities, points, coordinates, units)
+    table_of(quantities, points, scene)
 }
 
 /// The strains.
-fn strains(points: &[FieldPoint], coordinates: Coordinates, units: Option<&Units>) -> Table {
-    let strains: Vec<FieldQuantity> = FieldQuantity::all_in(coordinates).filter(|own| own.is_strain()).collect();
-    table_of(&strains, points, coordinates, units)
+fn strains(points: &[FieldPoint], scene: &Scene) -> Table {
+    let strains: Vec<FieldQuantity> =
+        FieldQuantity::all_in(scene.coordinates()).filter(|own| own.is_strain()).collect();
+    table_of(&strains, points, scene)
 }
 
 /// Some quantities behind the places of points.
-fn table_of(
-    quantities: &[FieldQuantity],
-    points: &[FieldPoint],
-    coordinates: Coordinates,
-    units: Option<&Units>,
-) -> Table {
+fn table_of(quantities: &[FieldQuantity], points: &[FieldPoint], scene: &Scene) -> Table {
+    let (coordinates, units) = (scene.coordinates(), scene.units.as_ref());
     let [length, stress] = [Dimension::LENGTH, Dimension::STRESS].map(|dimension| Units::after(units, dimension));
     let unit = |quantity: &FieldQuantity| match quantity {
         quantity if quantity.is_strain() => "",
@@ -127,7 +118,8 @@ fn table_of(
         let numbers = quantities.iter().map(|quantity| quantity.of_in(point, coordinates));
         let across = across.map(|_| SHOWN.exact(point.z));
         let place = [SHOWN.exact(point.x)].into_iter().chain(across);
-        let place = place.chain([SHOWN.exact(point.depth), point.layer.to_string()]);
+        let name = scene.layer_name(point.layer).map_or(String::new(), |name| format!(" {name}"));
+        let place = place.chain([SHOWN.exact(point.depth), format!("{}{name}", point.layer)]);
         let unknown = |number: f64| if number.is_nan() { "not known".to_owned() } else { SHOWN.exact(number) };
         table.add_row(place.chain(numbers.map(unknown)));
     }

@@ -51,7 +51,7 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         Some(json!({"min_pressure": solution.min_pressure(), "min_gap": solution.min_gap()})),
         report.collocated.map(|checked| json!({"collocation": checked})),
         report.max_shear.map(|max| json!({"max_shear": max})),
-        report.extremes.map(|found| json!({"extremes": extremes::json(found)})),
+        report.extremes.map(|found| json!({"extremes": extremes::json(scene, found)})),
         Some(json!({
             "modes": solution.modes(),
             "wavenumbers": solution.wavenumbers(),

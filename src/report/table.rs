@@ -62,12 +62,12 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     }
     if let Some(MaxShear { value, x, depth, layer }) = max_shear {
         let (value, x, depth) = (to_digits(*value, 5), to_digits(*x, 4), to_digits(*depth, 4));
-        let place = format!("{along} = {x}{length}, depth {depth}{length} in layer {layer}");
+        let place = format!("{along} = {x}{length}, depth {depth}{length} in {}", scene.layer_label(*layer));
         writeln!(out, "largest shear stress {value}{stress} at {place}")?;
     }
     if let Some(extremes) = report.extremes {
         let place = if solution.is_even() { distance } else { along };
-        writeln!(out, "{}", extremes::table(extremes, place, digits, [length, stress]))?;
+        writeln!(out, "{}", extremes::table(scene, extremes, place, digits, [length, stress]))?;
     }
     let [modes, wavenumbers, steps] = [solution.modes(), solution.wavenumbers(), solution.newton_steps()];
     writeln!(out, "{modes} modes, {wavenumbers} wavenumbers, {steps} Newton steps, {}", duration(*seconds))

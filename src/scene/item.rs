@@ -109,6 +109,15 @@ impl Item {
         }
     }
 
+    /// The name that the layer or support was given, if it has one.
+    pub fn own_name(&self) -> Option<&str> {
+        match self {
+            Self::Layer(layer) => layer.name(),
+            Self::Support(support) => support.name(),
+            _ => None,
+        }
+    }
+
     /// The layer that it is, if it is one.
     pub(crate) fn elastic(&self) -> Option<&Arc<dyn Layer>> {
         if let Self::Layer(layer) = self { Some(layer) } else { None }

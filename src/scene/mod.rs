@@ -30,6 +30,7 @@ use std::error::Error;
 use std::path::Path;
 use std::sync::Arc;
 
+use recede_layers::layer_label;
 use recede_layers::tree::Node;
 
 pub use covered::Covered;
@@ -149,6 +150,39 @@ impl Scene {
     pub fn coordinates(&self) -> Coordinates {
         let is_spatial = self.top.loads().is_some_and(|loads| loads.axes().is_some());
         if is_spatial { Coordinates::Cartesian } else { self.geometry.into() }
+    }
+
+    /// The name of the layer with this number, counted from 1 at the top, if it has one.
+    ///
+    /// ```
+    /// let scene = recede::Scene::from_ron("(geometry: Axisymmetric, load: Uniform(radius: 0.1), force: 1, stack: [
+    ///     HalfPlane(name: \"soil\", young: 1, poisson: 0.3)])")?;
+    /// assert_eq!((scene.layer_name(1), scene.numbered("0,0.1@soil")), (Some("soil"), "0,0.1@1".to_owned()));
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn layer_name(&self, number: usize) -> Option<&str> {
+        self.layers().find(|(own, _)| *own == number)?.1.own_name()
+    }
+
+    /// A place such as `0,0.2@asphalt`, or a quantity there, with the number of the layer in place of its name.
+    pub fn numbered(&self, place: &str) -> String {
+        let is_end = |rest: &str| rest.is_empty() || rest.starts_with('=');
+        let named = |(number, item): (usize, &Item)| {
+            let (before, layer) = place.split_once('@')?;
+            let rest = layer.trim_start().strip_prefix(item.own_name()?)?.trim_start();
+            is_end(rest).then(|| format!("{before}@{number}{rest}"))
+        };
+        self.layers().find_map(named).unwrap_or_else(|| place.to_owned())
+    }
+
+    /// What the layer with this number is called in reports and pictures.
+    pub(crate) fn layer_label(&self, number: usize) -> String {
+        layer_label(number, self.layer_name(number))
+    }
+
+    /// The layers and the base with their numbers from the top.
+    fn layers(&self) -> impl Iterator<Item = (usize, &Item)> {
+        (1..).zip(self.stack.iter().filter(|item| !item.is_interface()))
     }
 
     /// The title of the scene in a report: its name, or else the name of its file without folder and ending.

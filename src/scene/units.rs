@@ -240,7 +240,7 @@ pub(super) fn without_units(scene: &mut Node, origin: &Origin) -> Result<(), Sce
         // numbers of punches that say nothing else are lengths: heights and places in tables
         let dimension = of_field(name, is_round);
         let dimension = dimension.or(matches!(&**name, "punch" | "punches").then_some(Dimension::LENGTH));
-        convert(value, dimension, (units.as_ref(), is_round), origin)?;
+        convert(value, dimension, (units.as_ref(), is_round, Dimension::LENGTH), origin)?;
     }
     Ok(())
 }
@@ -250,13 +250,14 @@ fn of_field(name: &str, is_round: bool) -> Option<Dimension> {
     if name == "force" && is_round { Some(Dimension::FORCE) } else { Dimension::of_field(name) }
 }
 
-/// Converts the numbers with a unit within a value, which are to be measured in `dimension` unless their field says more.
+/// Converts the numbers with a unit within a value, which are to be measured in `dimension` unless their field says more, and in `at` the places in tables.
 fn convert(
     node: &mut Node,
     dimension: Option<Dimension>,
-    (units, is_round): (Option<&Units>, bool),
+    (units, is_round, at): (Option<&Units>, bool, Dimension),
     origin: &Origin,
 ) -> Result<(), SceneError> {
+    let at = if node.name.as_deref() == Some("RelativeTable") { Dimension::NUMBER } else { at };
     let is_row = node.name.is_none() && matches!(node.kind, Kind::Row(_));
     match &mut node.kind {
         Kind::Text(text) => {
@@ -267,15 +268,15 @@ fn convert(
             }
         }
         Kind::Fields(fields) => {
-            for Entry { name, value, .. } in fields {
-                convert(value, of_field(name, is_round).or(dimension), (units, is_round), origin)?;
+            for Entry { name, value, .. } in fields.iter_mut().filter(|field| &*field.name != "name") {
+                convert(value, of_field(name, is_round).or(dimension), (units, is_round, at), origin)?;
             }
         }
         Kind::List(members) | Kind::Row(members) => {
             for (index, member) in members.iter_mut().enumerate() {
                 // of the rows of a table, the first number is a place
-                let dimension = if is_row && index == 0 { Some(Dimension::LENGTH) } else { dimension };
-                convert(member, dimension, (units, is_round), origin)?;
+                let dimension = if is_row && index == 0 { Some(at) } else { dimension };
+                convert(member, dimension, (units, is_round, at), origin)?;
             }
         }
         Kind::Nothing | Kind::Number(_) => {}

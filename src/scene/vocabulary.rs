@@ -1,10 +1,10 @@
 //! All that may be written in a scene, from the definitions that read it.
-use recede_layers::Registry;
 use recede_layers::description::{Field, Form, Value, schema_of, without_ranges};
+use recede_layers::{Entry, Registry};
 use serde_json::{Value as Json, json};
 
 use super::item::RECEDING;
-use super::read::{Draft, OwnLoads, Receding};
+use super::read::{CommonFields, Draft, NAME, Receding};
 use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch, Spring};
@@ -48,7 +48,7 @@ impl Vocabulary {
         let registered = registry.iter().map(|entry| Form {
             name: entry.name.to_owned(),
             meaning: entry.summary.to_owned(),
-            value: entry.describe(),
+            value: schema_of_entry(entry).and_then(|schema| Some(Value::of_schema(&schema.try_into().ok()?))),
         });
         let is_base = |form: &Form| match &form.value {
             Some(Value::Fields(fields)) => fields.iter().all(|field| field.name != THICKNESS),
@@ -76,6 +76,17 @@ fn alternatives(value: Value) -> Vec<Form> {
     if let Value::OneOf(forms) = value { forms } else { Vec::new() }
 }
 
+/// The JSON Schema of the fields of a layer or base, with those that each of them may have besides its own; `None` if the type has none.
+fn schema_of_entry(entry: &Entry) -> Option<Json> {
+    let mut fields = entry.schema?().to_value();
+    let is_thick = fields["properties"].get(THICKNESS).is_some();
+    if let Json::Object(common) = schema_of::<CommonFields>().to_value()["properties"].take() {
+        let own = common.into_iter().filter(|(name, _)| is_thick || name == NAME);
+        own.for_each(|(name, field)| fields["properties"][name] = field);
+    }
+    Some(fields)
+}
+
 /// The JSON Schema of scenes with the layers of `registry`, for editors and for programs that write scenes.
 ///
 /// ```
@@ -96,13 +107,7 @@ pub fn scene_schema(registry: &Registry) -> Json {
     });
     let gap = item(RECEDING, "", gap);
     let layers = registry.iter().map(|entry| {
-        let mut fields = entry.schema.map_or_else(|| json!({"type": "object"}), |schema| schema().to_value());
-        if fields["properties"].get(THICKNESS).is_some()
-            && let Json::Object(loads) = schema_of::<OwnLoads>().to_value()["properties"].take()
-        {
-            loads.into_iter().for_each(|(name, load)| fields["properties"][name] = load);
-        }
-        item(entry.name, entry.summary, fields)
+        item(entry.name, entry.summary, schema_of_entry(entry).unwrap_or_else(|| json!({"type": "object"})))
     });
     let mut schema = schema_of::<Draft>().to_value();
     // about the axis punches and loads have other names

@@ -200,7 +200,7 @@ fn fields(scene: &Scene, solution: &Solution, field: &Field) -> Result<(), Strin
         }
     }
     for format in [Format::Csv, Format::Json] {
-        step("field file", write_field(grid.points(), field.coordinates(), None, format, &mut Vec::new()))?;
+        step("field file", write_field(grid.points(), scene, format, &mut Vec::new()))?;
     }
     let [left, right] = top.ends();
     let mean = top.resultant / scene.geometry.size(left, right);

@@ -1,5 +1,8 @@
 //! From items as written to laminates and base.
+use std::collections::BTreeMap;
 use std::sync::Arc;
+
+use recede_layers::layer_label;
 
 use super::contrast;
 use super::weight::weight;
@@ -85,6 +88,7 @@ impl Stack {
         items: &[Item],
     ) -> Result<Self, StackError> {
         check_order(items)?;
+        check_names(items)?;
         let mut groups = Groups::default();
         let mut foundation = None;
         for (index, item) in items.iter().enumerate() {
@@ -136,7 +140,7 @@ fn finish(
         return Err(StackError::of_layer(*number, StackProblem::NothingElastic));
     }
     if let (Foundation::Support { number, support }, true) = (&foundation, joined.layers.is_empty()) {
-        let base = format!("layer {number} ({})", support.notation().kind);
+        let base = called(&Item::Support(Arc::clone(support)), *number);
         return Err(StackError::of_layer(*number, StackProblem::NotBonded(base)));
     }
     let found = laminates.iter().map(|laminate| laminate.layers.len()).sum::<usize>() + joined.layers.len();
@@ -213,6 +217,19 @@ fn check_order(items: &[Item]) -> Result<(), StackError> {
     Ok(())
 }
 
+/// Refuses two layers of one name.
+fn check_names(items: &[Item]) -> Result<(), StackError> {
+    let mut names = BTreeMap::new();
+    for (index, item) in items.iter().enumerate() {
+        let first = item.own_name().and_then(|name| names.insert(name, index));
+        if let Some(first) = first {
+            let [first, second] = [first, index].map(|index| called(&items[index], number(index)));
+            return Err(StackError::at(index, StackProblem::SameName { first, second }));
+        }
+    }
+    Ok(())
+}
+
 /// The number of the layer at this place among the items, where layers and interfaces alternate.
 fn number(index: usize) -> usize {
     index / 2 + 1
@@ -229,7 +246,7 @@ fn is_base(item: &Item) -> bool {
 fn called(item: &Item, number: usize) -> String {
     match item {
         Item::Rigid => "the rigid base".to_owned(),
-        other => format!("layer {number} ({})", other.name()),
+        other => format!("{} ({})", layer_label(number, other.own_name()), other.name()),
     }
 }
 

@@ -77,6 +77,7 @@ impl StackError {
                 "give the layer a thickness, or write `Bonded` or `Sliding` in place of `Spring(...)`: springs under a loose \
                  face, or under the punch itself, would give way like no elastic body"
             }
+            StackProblem::SameName { .. } => "give each layer a name of its own, or none",
             StackProblem::TwoGaps => "write one gap, the sum of both",
             StackProblem::GapUnderWeight { .. } => {
                 "write `Parabola`, which weight presses flat, or `Dent`, or leave out the gap, the weights and `pressure_on_top`"
@@ -101,7 +102,7 @@ impl StackError {
     }
 }
 
-/// What is wrong with a stack. Layers are named like `layer 1 (Homogeneous)`.
+/// What is wrong with a stack. Layers are named like `layer 1 (Homogeneous)` or `layer 1 "coating" (Homogeneous)`.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum StackProblem {
     /// No items at all.
@@ -138,6 +139,14 @@ pub enum StackProblem {
         layer: String,
         /// Its specific weight.
         found: f64,
+    },
+    /// Two layers of one name.
+    #[error("{second} has the name of {first}")]
+    SameName {
+        /// The upper layer.
+        first: String,
+        /// The lower layer.
+        second: String,
     },
     /// Two gaps with nothing but layers of thickness zero between.
     #[error("there are two gaps with no layer between them")]

@@ -1,4 +1,6 @@
 //! Neighbours that are one body: bonded layers of one material, separate in the scene only.
+use recede_layers::Loaded;
+
 use super::{Base, Foundation, Joint, Laminate, Stack};
 
 impl Stack {
@@ -32,7 +34,11 @@ fn merge(Laminate { layers, joints, .. }: &mut Laminate) -> usize {
     let mut given = std::mem::take(joints).into_iter();
     layers.dedup_by(|below, above| {
         let Some(joint) = given.next() else { return false };
-        let one = if joint == Joint::BONDED { above.layer.continues(&*below.layer) } else { None };
+        let one = if joint == Joint::BONDED {
+            Loaded::unnamed(&*above.layer).continues(Loaded::unnamed(&*below.layer))
+        } else {
+            None
+        };
         let is_one = one.is_some();
         match one {
             Some(one) => above.layer = one,

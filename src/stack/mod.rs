@@ -14,7 +14,7 @@ mod weight;
 
 use std::sync::Arc;
 
-use recede_layers::{Body, Isotropic, Layer, Plane, Support};
+use recede_layers::{Body, Isotropic, Layer, Plane, Support, layer_label};
 
 pub use builder::StackBuilder;
 pub use error::{StackError, StackProblem};
@@ -77,9 +77,9 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// The name of the layer in messages, e.g. `layer 1 (Homogeneous)`.
+    /// The name of the layer in messages, e.g. `layer 1 (Homogeneous)` or `layer 1 "coating" (Homogeneous)`.
     pub fn name(&self) -> String {
-        format!("layer {} ({})", self.number, self.layer.notation().kind)
+        format!("{} ({})", layer_label(self.number, self.layer.name()), self.layer.notation().kind)
     }
 
     fn thickness(&self) -> f64 {

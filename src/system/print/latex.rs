@@ -17,7 +17,8 @@ impl BlockSystem {
     pub fn to_latex(&self) -> String {
         let columns = self.columns().iter().map(|column| {
             let (kind, number, amplitudes) = (column.body().notation().kind, column.number(), column.amplitudes());
-            format!("% c_{number} = (C_{}, ..., C_{}): {kind}", amplitudes.start(), amplitudes.end())
+            let name = column.body().name().map_or(String::new(), |name| format!("{name}, "));
+            format!("% c_{number} = (C_{}, ..., C_{}): {name}{kind}", amplitudes.start(), amplitudes.end())
         });
         let matrix = if self.columns().len() > MAX_COLUMNS { self.equations() } else { self.array() };
         columns.chain(matrix).map(|line| line + "\n").collect()

@@ -49,8 +49,10 @@ pub(super) fn stiffness(block: &Block) -> Option<char> {
 
 impl fmt::Display for Column {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (kind, amplitudes) = (self.body().notation().kind, self.amplitudes());
-        write!(f, "{} {kind}\nC{}..C{}", self.number(), amplitudes.start(), amplitudes.end())
+        let (body, amplitudes) = (self.body(), self.amplitudes());
+        let name = body.name().map_or(String::new(), |name| format!(" \"{name}\""));
+        let kind = body.notation().kind;
+        write!(f, "{}{name} {kind}\nC{}..C{}", self.number(), amplitudes.start(), amplitudes.end())
     }
 }
 
