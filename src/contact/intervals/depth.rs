@@ -7,10 +7,11 @@ use crate::contact::integrals::layout::Depth;
 use crate::contact::intervals::LAYOUT_SERVES;
 use crate::contact::intervals::columns::Columns;
 use crate::contact::intervals::equations::{Equations, Sunk};
+use crate::contact::intervals::pressure::Tip;
 use crate::contact::intervals::support::ContactInterval;
 use crate::kernel::DepthWaves;
 use crate::numeric::largest;
-use crate::numeric::means::MeanWindow;
+use crate::numeric::means::{FELT, MeanWindow};
 
 impl Equations<'_> {
     /// What the depths of punches follow from, as far as they are prescribed.
@@ -20,23 +21,34 @@ impl Equations<'_> {
     }
 
     fn sum_sunk(&self, punch: usize) -> Sunk {
-        let depth = self.depth(punch);
-        let sum = |(columns, own): (&Columns, &DepthWaves)| {
-            let mut sums = Mat::zeros(1, columns.rows());
-            let waves = columns.waves(&own.zeta, &self.problem.kernel.workspace);
-            let long = columns.long_waves(&own.zeta, &self.problem.kernel.workspace);
+        let (depth, workspace) = (self.depth(punch), &self.problem.kernel.workspace);
+        let mut height = depth.height;
+        let mut sum = |(contact, own): (usize, &DepthWaves)| {
+            let (columns, tips) = (&self.columns[contact], self.tips(contact));
+            // terms of a tip do not fall: there are more of them than of unknown terms
+            let more = |(tip, count): (&Tip, &usize)| if tip.strength == 0.0 { *count } else { FELT.max(*count) };
+            let counts: Vec<usize> = tips.iter().zip(columns.counts).map(more).collect();
+            let with_tips = Columns::new(columns.intervals, &counts, self.moves);
+            let (waves, long) = (with_tips.waves(&own.zeta, workspace), with_tips.long_waves(&own.zeta, workspace));
             let parts = |even: &[f64], odd: &[f64]| if self.moves { [even, odd].concat() } else { even.to_vec() };
+            let mut tested = waves.all().test(&parts(&own.all[0], &own.odd[0]));
             let told = long.values.all().test(&parts(&own.resultant[0], &own.moment[0]));
-            let tested = waves.all().test(&parts(&own.all[0], &own.odd[0])).into_iter().enumerate();
-            let all = tested.chain(long.places.iter().copied().zip(told));
-            all.for_each(|(column, wave)| sums[(0, column)] += wave);
-            sums
+            long.places.iter().zip(told).for_each(|(column, wave)| tested[*column] += wave);
+            for (number, (interval, tip)) in columns.intervals.iter().zip(&tips).enumerate().rev() {
+                let first = with_tips.first(number);
+                let beyond = tested.drain(first + columns.counts[number]..first + counts[number]);
+                let terms = (columns.counts[number]..).map(|m| tip.term(interval, m));
+                height += beyond.zip(terms).map(|(wave, term)| wave * term).sum::<f64>();
+            }
+            Mat::from_fn(1, columns.rows(), |_, column| tested[column])
         };
-        Sunk {
-            by_columns: self.columns.iter().zip(&depth.waves).map(sum).collect(),
-            by_angles: self.turned(punch, &depth.windows),
-            height: depth.height,
-        }
+        let by_columns = depth.waves.iter().enumerate().map(&mut sum).collect();
+        Sunk { by_columns, by_angles: self.turned(punch, &depth.windows), height }
+    }
+
+    /// What sharp tips make on each interval of a contact.
+    fn tips(&self, contact: usize) -> Vec<Tip> {
+        self.columns[contact].intervals.iter().map(|interval| self.tip(contact, interval)).collect()
     }
 
     /// What tells the depth of a punch, from the windows of an earlier list if bodies touch in these here as well.

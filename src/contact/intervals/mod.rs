@@ -35,9 +35,8 @@ use crate::contact::integrals::tail::turning;
 use crate::contact::problem::accuracy::{BEST, COARSE, ENDLESS, MINOR, ROUNDING, SAFETY};
 use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
-use crate::contact::problem::{Expected, Prescribed, Problem};
+use crate::contact::problem::{Expected, Problem};
 use crate::numeric::largest;
-use crate::numeric::means::FELT;
 use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
 pub(super) use closed::of_openings;
 use errors::Errors;
@@ -99,15 +98,10 @@ pub(super) fn of_contacts(problem: &Problem, contacts: &[Contact]) -> Option<Int
     of_formulas(problem, &expected.collect::<Vec<_>>()).map(|support| support.held(problem))
 }
 
-/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone, and, under a sharp tip, all that the mean feels which
-/// tells a depth: terms of a tip do not fall.
+/// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.
 fn resolving(problem: &Problem, interval: &ContactInterval) -> usize {
     let orders = 1.2 * interval.half * problem.kernel.governed_by_faces(interval.contact);
-    let of_waves = (if interval.is_even() { 0.5 * orders } else { orders }) as usize;
-    let is_depth = |(_, prescribed): &(usize, Prescribed)| matches!(prescribed, Prescribed::Depth(_));
-    let has_tip = problem.prescribed.iter().any(is_depth) && problem.tip(interval.contact, interval.punch).is_some();
-    let of_tip = if interval.is_even() { FELT } else { 2 * FELT };
-    if has_tip { of_waves.max(of_tip) } else { of_waves }
+    (if interval.is_even() { 0.5 * orders } else { orders }) as usize
 }
 
 /// The same between the usual number of terms and four times as many, both times `finer`.
