@@ -11,8 +11,9 @@ use num_complex::Complex64;
 
 use super::spheroid::{self, Spheroidal};
 use super::strip::TabulatedStrip;
-use super::transform::Potentials;
+use super::transform::{Potentials, orders_up_to};
 use crate::numeric::bessel::{self, Kind, Wanted};
+use crate::numeric::largest;
 use crate::numeric::quadrature::rule;
 use crate::solution::{Form, Strip, jacobi_weights};
 
@@ -23,7 +24,8 @@ const PER_LENGTH: f64 = 7.0;
 impl Strip {
     /// p̂ − p̂(0) of a series at some λa, accurate to rounding.
     pub(super) fn disc_series(&self, arguments: &[f64]) -> Vec<f64> {
-        let (count, orders) = (arguments.len(), 2 * self.coefficients.len() + 1);
+        let count = arguments.len();
+        let orders = orders_up_to(largest(arguments.iter().copied())).min(2 * self.coefficients.len() + 1);
         let wanted = Wanted::ZERO_AND_ODD.of_kind(Kind::Spherical);
         let columns = wanted.below(orders);
         let mut table = vec![0.0; columns * count];
@@ -33,7 +35,7 @@ impl Strip {
         let (square, weighted) = (self.extent * self.extent, self.weighted());
         let of = |(i, z): (usize, &f64)| {
             let first = self.first() / 3.0 * bessel::spherical_jinc_minus_one(*z);
-            let of_orders = weighted.iter().enumerate().skip(1);
+            let of_orders = weighted.iter().enumerate().take(columns - 1).skip(1);
             let sum: f64 = of_orders.map(|(m, c)| c * table[(m + 1) * count + i]).sum();
             // (1 − cos z)/z² − ½ = ½ (sinc²(z/2) − 1)
             let half = bessel::sinc_minus_one(0.5 * z);

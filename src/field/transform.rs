@@ -4,7 +4,7 @@ use std::iter::zip;
 
 use num_complex::Complex64;
 
-use crate::numeric::bessel;
+use crate::numeric::{bessel, largest};
 use crate::solution::{Form, Strip};
 
 /// The envelope of the transform is sampled from λa = 1 on, at this number of wavenumbers, each this factor times the one before: up to
@@ -215,14 +215,14 @@ fn transform_of_tip(t: f64, z: f64) -> Complex64 {
 }
 
 /// The number of orders of Bessel functions that are above rounding up to z.
-fn orders_up_to(z: f64) -> usize {
+pub(super) fn orders_up_to(z: f64) -> usize {
     (z + BEYOND * (z.cbrt() + 1.0)) as usize + 1
 }
 
 /// The number of orders, from 0 on, of Bessel functions that are above rounding at these arguments, three at least, and their values; no more
 /// orders than the series has, unless there is a tip, whose series does not end.
 fn table(arguments: &[f64], of_series: usize, endless: bool) -> (usize, Vec<f64>) {
-    let largest = arguments.iter().fold(0.0, |largest: f64, z| largest.max(*z));
+    let largest = largest(arguments.iter().copied());
     let largest = if endless { largest.min(bessel::INTEGRAL_FROM.max(of_series as f64)) } else { largest };
     let enough = orders_up_to(largest);
     let orders = if endless { enough } else { enough.min(of_series) }.max(3);
