@@ -13,8 +13,8 @@ use crate::scene::{Load, Punch};
 use crate::solution::{Contact, Interface, Interval, Solution, Strip};
 use crate::stack::{Stack, StackBuilder};
 
-/// Terms of the polynomials that profile and gap are made of.
-const TERMS: usize = 9;
+/// Numbers of terms of the polynomials that profile and gap may be made of.
+const TERMS: [usize; 3] = [10, 9, 8];
 /// Half-lengths of the two contacts, and the force.
 const ENDS: [f64; 2] = [0.5, 0.8];
 const FORCE: f64 = 0.01;
@@ -29,19 +29,22 @@ fn strip(contact: usize, is_round: bool) -> Strip {
 }
 
 /// The even polynomial that is as high above x = 0 as a function is at some places up to an end, and by how much it misses the function between these,
-/// over its height at the end.
+/// over its height at the end. It rises beyond, where bodies are to be apart.
 fn polynomial(end: f64, heights: impl Fn(&[f64]) -> Vec<f64>) -> (Punch, f64) {
-    // every other place is a node
-    let place = |k: usize| (0.25 * PI * k as f64 / TERMS as f64).sin();
-    let places: Vec<f64> = (0..=2 * TERMS).map(|k| end * place(k)).collect();
-    let heights = heights(&places);
-    let powers = |k: usize, term: usize| place(k).powi(2 * (term as i32 + 1));
-    let nodes = Mat::from_fn(TERMS, TERMS, |k, term| powers(2 * k + 2, term));
-    let found = nodes.partial_piv_lu().solve(Col::from_fn(TERMS, |k| heights[2 * k + 2] - heights[0]));
-    let height = |k: usize| (0..TERMS).map(|term| found[term] * powers(k, term)).sum::<f64>();
-    let missed = largest((0..=2 * TERMS).map(|k| (heights[0] + height(k) - heights[k]).abs()));
-    let punch = Punch::polynomial(end, &found.iter().copied().collect::<Vec<f64>>()).unwrap();
-    (punch, missed / height(2 * TERMS).abs())
+    let fitted = |terms: usize| {
+        // every other place is a node
+        let place = |k: usize| (0.25 * PI * k as f64 / terms as f64).sin();
+        let heights = heights(&(0..=2 * terms).map(|k| end * place(k)).collect::<Vec<f64>>());
+        let powers = |k: usize, term: usize| place(k).powi(2 * (term as i32 + 1));
+        let nodes = Mat::from_fn(terms, terms, |k, term| powers(2 * k + 2, term));
+        let found = nodes.partial_piv_lu().solve(Col::from_fn(terms, |k| heights[2 * k + 2] - heights[0]));
+        let height = |k: usize| (0..terms).map(|term| found[term] * powers(k, term)).sum::<f64>();
+        let missed = largest((0..=2 * terms).map(|k| (heights[0] + height(k) - heights[k]).abs()));
+        (found.iter().copied().collect::<Vec<f64>>(), missed / height(2 * terms).abs())
+    };
+    let rises = |(terms, _): &(Vec<f64>, f64)| terms.last().is_some_and(|last| *last > 0.0);
+    let (terms, missed) = TERMS.map(fitted).into_iter().find(rises).unwrap();
+    (Punch::polynomial(end, &terms).unwrap(), missed)
 }
 
 #[test]
