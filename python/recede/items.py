@@ -6,7 +6,7 @@ Written by make_items.py from the JSON Schema of scenes."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from ._items import Load, Profile, Punch, StackItem
@@ -662,6 +662,27 @@ class ElasticCylinder(Punch):
         self._set(radius=radius, poisson=poisson, shear_modulus=shear_modulus, young=young)
 
 
+class Covered(Punch):
+    """A circular cylinder with elastic layers on its core: a second stack, which is pressed on the first one.
+
+    Args:
+        radius: Radius R of the outer face, in length. Allowed: a finite number > 0.
+        layers: The layers and the interfaces between them, from the outer face inwards; they are thin compared with the
+            radius. Allowed: a list in `[` and `]` of layers and interfaces in turn.
+        core: What the last layer lies on, bonded unless an interface stands between: `Rigid`, or a half-plane for an
+            elastic core. Allowed: a base, as at the bottom of a stack.
+    """
+
+    __slots__ = ("radius", "layers", "core")
+    _geometries = {"PlaneStrain": ("radius", "layers", "core"), "Axisymmetric": ("radius", "layers", "core")}
+    radius: float | str
+    layers: tuple[StackItem, ...]
+    core: StackItem
+
+    def __init__(self, *, radius: Number, layers: Iterable[StackItem], core: StackItem) -> None:
+        self._set(radius=radius, layers=layers, core=core)
+
+
 class Sphere(Punch):
     """A sphere, exactly: height R − √(R² − r²), slope r/√(R² − r²).
 
@@ -817,6 +838,7 @@ class Ring(Load):
 __all__ = [
     "Bonded",
     "Cone",
+    "Covered",
     "Cylinder",
     "Dent",
     "ElasticCylinder",

@@ -58,6 +58,10 @@ def values(schema, name):
             yield from [one["const"]] if "const" in one else one["enum"]
         elif "number" in (one.get("type") or []):
             yield number(one, name)
+        elif "$ref" in one.get("items", {}):
+            yield [{"Homogeneous": {"thickness": 0.5, "young": 2.0, "poisson": 0.4}}]
+        elif "$ref" in one:
+            yield "Rigid"
         else:
             (found,) = [value for words, value in TABLES.items() if words in one["description"]]
             yield found
@@ -123,7 +127,7 @@ def built(value, form="keywords", module=recede, is_field=False):
     if name[0].isupper() and len(value) == 1:
         inner = value[name]
         if isinstance(inner, dict):
-            return getattr(module, name)(**{key: built(one, form, recede if key == "gap" else profiles, True) for key, one in inner.items()})
+            return getattr(module, name)(**{key: built(one, form, recede if key in ("gap", "layers", "core") else profiles, True) for key, one in inner.items()})
         return getattr(module, name)(built(inner, form, recede, True))
     parts = {key: built(one, form, recede, True) for key, one in value.items()}
     if form == "in order" and not any(isinstance(one, recede.Item) for one in parts.values()):
