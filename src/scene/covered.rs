@@ -93,8 +93,11 @@ impl Covered {
 
     /// As it is written in a scene of this geometry.
     pub(super) fn written(&self, geometry: Geometry) -> String {
-        let (core, layers) =
-            self.items.split_last().map_or((String::new(), &[][..]), |(core, layers)| (core.written(geometry), layers));
+        // the last layer is bonded to the core unless another interface is written
+        let (layers, core) = match &self.items[..] {
+            [layers @ .., Item::Bonded, core] | [layers @ .., core] => (layers, core.written(geometry)),
+            [] => (&[][..], String::new()),
+        };
         let layers: Vec<String> = layers.iter().map(|item| item.written(geometry)).collect();
         format!("Covered(radius: {:?}, {LAYERS}: [{}], {CORE}: {core})", self.radius(), layers.join(", "))
     }
