@@ -153,7 +153,7 @@ impl SweepArguments {
             let unknown = || {
                 Failure::usage(
                     format!("the table has no column of numbers `{name}`"),
-                    format!("there are {}", names.join(", ")),
+                    format!("there are {}; `--approach`, `--extremes` and `--at` add more", names.join(", ")),
                 )
             };
             Ok((found.ok_or_else(unknown)?, name.clone()))

@@ -92,6 +92,29 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     [format!("largest {value}")].into_iter().chain(aside).collect()
 }
 
+/// The unit of a column of the table of a sweep, by its name; none of numbers and of columns that are not known.
+pub(super) fn of_column(scene: &Scene, name: &str) -> Option<String> {
+    let name = name.strip_suffix("_error").unwrap_or(name);
+    let is_one_of = |ends: &str| {
+        ends.split(' ').any(|end| name.strip_suffix(end).is_some_and(|rest| rest.is_empty() || rest.ends_with('_')))
+    };
+    let probed = |own: &&FieldQuantity| {
+        name.split_once("_at_").is_some_and(|(first, _)| first == own.name_in(scene.coordinates()))
+    };
+    if let Some(quantity) = FieldQuantity::ALL.iter().find(probed) {
+        return unit(scene, of_quantity(*quantity, scene.coordinates()).1);
+    }
+    let dimension = match scene.geometry.is_axisymmetric() {
+        _ if is_one_of("force") => scene.force_dimension(),
+        _ if is_one_of("half_length approach left right at x depth thickness radius") => Dimension::LENGTH,
+        _ if is_one_of("pressure tension shear von_mises young shear_modulus") => Dimension::STRESS,
+        true if is_one_of("stiffness") => Dimension::FORCE_PER_LENGTH,
+        false if is_one_of("stiffness") => Dimension::STRESS,
+        _ => return None,
+    };
+    unit(scene, dimension)
+}
+
 /// The name of a quantity inside the stack, and its dimension.
 pub(super) fn of_quantity(quantity: FieldQuantity, coordinates: Coordinates) -> (String, Dimension) {
     let symbol = written(quantity.name_in(coordinates));

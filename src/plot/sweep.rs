@@ -2,7 +2,7 @@
 use super::bands::{Bands, MapStyle};
 use super::chart::{Chart, Curve, Frame, Labels, hidden};
 use super::file::PlotError;
-use super::names::{Dimension, of_contact, of_path, symbols, unit};
+use super::names::{Dimension, of_column, of_contact, of_path, symbols, unit};
 use super::picture::{Anchor, Picture, Stroke};
 use super::scale::{Scale, distinct, short};
 use super::style::{FAINT, INK, SMALL, TEXT, curve, hair};
@@ -152,7 +152,7 @@ impl<'a> Layout<'a> {
     fn planes(&self) -> Vec<SweepPlane> {
         if !self.columns.up.is_empty() {
             let of = |(i, (column, name)): (usize, &(usize, String))| {
-                let (what, label, unit) = (String::new(), name.clone(), None);
+                let (what, label, unit) = (String::new(), name.clone(), of_column(self.sweep.scene(), name));
                 SweepPlane { what, place: [i, 0], column: *column, label, unit }
             };
             return self.columns.up.iter().enumerate().map(of).collect();
@@ -233,7 +233,7 @@ impl<'a> Layout<'a> {
 
     fn chart(&self, plane: &SweepPlane, y: Scale, curves: Vec<Curve>) -> Chart {
         let x = match &self.columns.along {
-            Some((column, name)) => self.values(*column, 0).of(name, None),
+            Some((column, name)) => self.values(*column, 0).of(name, of_column(self.sweep.scene(), name)),
             None if self.columns.logarithmic[0] => self.scale(self.along, self.most[0]).logarithmic(),
             None => self.scale(self.along, self.most[0]),
         };
