@@ -28,14 +28,6 @@ impl Kernel {
         compliance.max(stiffest).min(softest)
     }
 
-    /// The least that [`Self::closed`] is for waves as short as this, or shorter.
-    pub(crate) fn stiffest(&self, zeta: f64) -> f64 {
-        let shorter = self.panels.iter().map(|panel| panel.to).filter(|edge| *edge > zeta);
-        let compliances = shorter.chain([zeta]).map(|zeta| self.closed(zeta));
-        // where a laminate bends when it is compressed, the compliance may be negative
-        compliances.filter(|compliance| *compliance > 0.0).fold(f64::INFINITY, f64::min)
-    }
-
     /// For each contact the compliance λμ₀C of all bodies below it and of the laminate above it, at one wavenumber, as
     /// if the interfaces further down slid without opening: the equal-pressure responses of two neighbouring contacts, the response of the lower one
     /// in series with the bending of the laminate between them.

@@ -100,15 +100,6 @@ fn moved(kernel: &Kernel, half_length: f64) -> f64 {
 
 /// Half-lengths in units of L, from the top down.
 pub(crate) fn half_lengths(problem: &Problem) -> Vec<f64> {
-    half_lengths_on(problem, Kernel::closed)
-}
-
-/// Half-lengths if the contact under the punch is as short as on the stiffest that the waves in it meet: no contact is shorter.
-pub(crate) fn shortest(problem: &Problem) -> Vec<f64> {
-    half_lengths_on(problem, Kernel::stiffest)
-}
-
-fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Vec<f64> {
     let mut half_lengths: Vec<f64> = Vec::with_capacity(problem.contacts());
     for (i, side) in problem.sides.iter().enumerate() {
         half_lengths.push(match side {
@@ -116,7 +107,7 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
             Side::Punches(all) if i == 0 => {
                 all.iter().map(|punch| longest(under(problem.kernel, punch))).fold(0.0, f64::max)
             }
-            _ => half_length(problem, i, compliance)
+            _ => half_length(problem, i)
                 .unwrap_or_else(|| half_lengths[i - 1].hypot(carried(problem.kernel, i - 1)).min(in_gap(problem, i))),
         });
     }
@@ -124,12 +115,12 @@ fn half_lengths_on(problem: &Problem, compliance: fn(&Kernel, f64) -> f64) -> Ve
 }
 
 /// The half-length under an even punch, or of a contact that is joined; `None` for others.
-fn half_length(problem: &Problem, contact: usize, compliance: fn(&Kernel, f64) -> f64) -> Option<f64> {
+fn half_length(problem: &Problem, contact: usize) -> Option<f64> {
     match &problem.sides[contact] {
         Side::Joined(half_length) => Some(*half_length),
         Side::Profile(profile) if contact == 0 => problem
             .prescribed_end()
-            .or_else(|| Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, compliance)))),
+            .or_else(|| Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, Kernel::closed)))),
         _ => None,
     }
 }
@@ -155,7 +146,7 @@ pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
         if let (Side::Punches(punches), 0) = (&problem.sides[contact], contact) {
             own = punches.iter().map(|punch| under(problem.kernel, punch)).collect();
             all.extend(own.iter().enumerate().map(|(punch, ends)| Expected { contact, punch, ends: *ends }));
-        } else if let Some(half) = half_length(problem, contact, Kernel::closed) {
+        } else if let Some(half) = half_length(problem, contact) {
             own = vec![[-half, half]];
             all.push(Expected { contact, punch: 0, ends: own[0] });
         } else {

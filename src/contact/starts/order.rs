@@ -23,7 +23,6 @@ pub(crate) fn solve_in_order(
     near: Option<&[Contact]>,
     refused: &mut Refused,
 ) -> Result<Answer, ContactError> {
-    too_small_for_certain(problem)?;
     let expected = formulas::anywhere(problem);
     let first = near.and_then(|contacts| intervals::of_contacts(problem, contacts));
     let first = first.or_else(|| intervals::of_formulas(problem, &expected));
@@ -51,7 +50,6 @@ pub(crate) fn of_low_accuracy(
     refused: &Refused,
     error: ContactError,
 ) -> Result<Answer, ContactError> {
-    too_small_for_certain(problem)?;
     let expected = formulas::anywhere(problem);
     let is_given = problem.prescribed.is_empty();
     let answer = is_given.then(|| programme::answer(problem, &expected, refused.far)).flatten();
@@ -73,13 +71,6 @@ fn under_expected_force(problem: &Problem) -> Option<Intervals> {
         }
     }
     intervals::of_contacts(problem, &contacts)
-}
-
-/// Formulas may expect contacts that are too long: a punch is too small for certain if it is for the shortest contact there can be under a given force.
-fn too_small_for_certain(problem: &Problem) -> Result<(), ContactError> {
-    let is_possible = problem.prescribed.is_empty() && problem.too_small(&formulas::half_lengths(problem)).is_some();
-    let error = if is_possible { problem.too_small(&formulas::shortest(problem)) } else { None };
-    error.map_or(Ok(()), Err)
 }
 
 /// An answer whose contacts do not reach beyond their punches.
