@@ -85,6 +85,7 @@ mod translation;
 mod validity;
 mod visible;
 mod wedges;
+mod weight_laws;
 mod weights;
 mod workers;
 
