@@ -1,6 +1,4 @@
 //! A stack with its kernels, computed once and used for any punch and load.
-#[cfg(test)]
-mod manufactured;
 mod openings;
 
 use std::sync::Arc;

@@ -164,3 +164,6 @@ pub(crate) fn heights(
         }
     }))
 }
+
+#[cfg(test)]
+mod tests;

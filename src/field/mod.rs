@@ -186,23 +186,6 @@ impl Field {
         field
     }
 
-    /// The field in the body that presses on the top face in place of a rigid punch, if there is one: depths count from its own face inwards,
-    /// and its y-axis points out of that face.
-    ///
-    /// ```
-    /// use recede::Scene;
-    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, force: 0.01, stack: [HalfPlane(shear_modulus: 1, poisson: 0.3)],
-    ///     punch: Covered(radius: 100, layers: [Homogeneous(thickness: 1, shear_modulus: 2, poisson: 0.4)], core: Rigid))")?;
-    /// let model = recede::Model::new(scene.stack()?)?;
-    /// let field = model.field(&model.press(&scene.top, scene.force)?)?;
-    /// let [below, above] = [&field, field.second().unwrap()].map(|field| field.at(0.0, 0.0).unwrap());
-    /// assert_eq!(below.sigma_yy, above.sigma_yy);
-    /// # Ok::<(), recede::Error>(())
-    /// ```
-    pub fn second(&self) -> Option<&Self> {
-        self.second.as_deref()
-    }
-
     /// Stresses and displacements at a point; on an interface, of the layer below.
     ///
     /// # Errors

@@ -1,4 +1,5 @@
 //! The items of a stack as written: layers, and the interfaces between them.
+use std::any::Any;
 use std::sync::Arc;
 
 use recede_layers::description::{Form, Value};
@@ -6,6 +7,7 @@ use recede_layers::{Body, Layer, Positive, Registry, Support};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::covered::{Cover, Covered};
 use super::punch::Punch;
 use super::text::written;
 use super::value::ValueError;
@@ -181,6 +183,36 @@ impl Item {
     pub(super) fn names(registry: &Registry) -> Vec<&'static str> {
         let plain = Self::plain_items().map(|(item, _)| item.name());
         registry.iter().map(|entry| entry.name).chain(plain).chain([SPRING]).collect()
+    }
+}
+
+impl Cover for Vec<Item> {
+    fn written(&self, geometry: Geometry) -> [String; 2] {
+        // the last layer is bonded to the core unless another interface is written
+        let (layers, core) = match &self[..] {
+            [layers @ .., Item::Bonded, core] | [layers @ .., core] => (layers, core.written(geometry)),
+            [] => (&[][..], String::new()),
+        };
+        let layers: Vec<String> = layers.iter().map(|item| item.written(geometry)).collect();
+        [layers.join(", "), core]
+    }
+}
+
+impl Punch {
+    /// A circular cylinder of radius R > 0, in length, with layers on its core: items as of a stack from the outer face inwards, ending in the core. Its layers are
+    /// part of the stack on which it presses, see [`Stack::under`](crate::Stack::under).
+    ///
+    /// # Errors
+    /// [`ValueError::OutOfRange`] if the radius is not positive and finite.
+    pub fn covered(radius: f64, items: Vec<Item>) -> Result<Self, ValueError> {
+        Ok(Self::Covered(Covered { radius: ValueError::checked("radius", radius)?, cover: Arc::new(items) }))
+    }
+
+    /// The layers of a covered punch with its core, from the outer face inwards; `None` of others.
+    pub fn cover(&self) -> Option<&[Item]> {
+        let Self::Covered(Covered { cover, .. }) = self else { return None };
+        let any: &dyn Any = &**cover;
+        any.downcast_ref::<Vec<Item>>().map(|items| &items[..])
     }
 }
 

@@ -14,6 +14,7 @@ mod paths;
 mod punch;
 mod punches;
 mod read;
+mod read_item;
 mod read_top;
 mod round;
 mod shape;

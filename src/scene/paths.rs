@@ -9,7 +9,8 @@ use recede_layers::tree::{Kind, Node};
 
 use super::hints::did_you_mean;
 use super::origin::{Origin, SceneError};
-use super::read::{Draft, PRESSURE_ON_TOP, THE_SCENE, check_force, force_of, read_item};
+use super::read::{Draft, PRESSURE_ON_TOP, THE_SCENE, check_force, force_of};
+use super::read_item::read_item;
 use super::read_top::{only_top, read_top, tops};
 use super::{Scene, quoted_list};
 

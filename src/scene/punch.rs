@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 use super::covered::Covered;
 use super::elastic_cylinder::ElasticCylinder;
 use super::heights::{Heights, PolynomialHeights};
-use super::item::Item;
 use super::shape::{Piece, Shape, even};
 use super::text::written;
 use super::value::ValueError;
@@ -221,15 +220,6 @@ impl Punch {
         ElasticCylinder::new(radius, shear_modulus, poisson).map(Self::ElasticCylinder)
     }
 
-    /// A circular cylinder of radius R > 0, in length, with layers on its core: items as of a stack from the outer face inwards, ending in the core. Its layers are
-    /// part of the stack on which it presses, see [`Stack::under`](crate::Stack::under).
-    ///
-    /// # Errors
-    /// [`ValueError::OutOfRange`] if the radius is not positive and finite.
-    pub fn covered(radius: f64, items: Vec<Item>) -> Result<Self, ValueError> {
-        Covered::new(radius, items).map(Self::Covered)
-    }
-
     /// A dent of layers that lie on each other, depth · exp(−(x/half_width)²), both > 0, in length: a gap, and no punch.
     ///
     /// # Errors
@@ -273,11 +263,6 @@ impl Punch {
     /// The material of an elastic punch; `None` if it is rigid.
     pub fn material(&self) -> Option<Isotropic> {
         if let Self::ElasticCylinder(cylinder) = self { Some(cylinder.material()) } else { None }
-    }
-
-    /// The layers of a covered punch with its core, from the outer face inwards; `None` of others.
-    pub fn cover(&self) -> Option<&[Item]> {
-        if let Self::Covered(covered) = self { Some(covered.items()) } else { None }
     }
 
     /// Whether the punch is its own mirror image about x = 0.

@@ -3,9 +3,9 @@ use recede_layers::tree::{Fault, Form, Kind, Node};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
-use super::covered::Covered;
 use super::loads::PlacedRoundLoad;
 use super::origin::{Origin, SceneError};
+use super::read_item::read_covered;
 use super::round::{RoundLoad, RoundPunch};
 use super::value::{ListError, ValueError};
 use super::{Load, Loads, PlacedLoad, Pressed, Punch, Punches, Top};
@@ -57,7 +57,7 @@ pub(super) fn read_top(name: &str, node: &Node, geometry: Geometry, origin: &Ori
         ("load", true) => origin.read::<RoundLoad>(node, &owner).map(|load| Load::from(load).into()),
         ("load", false) => origin.read::<Load>(node, &owner).map(Top::from),
         (_, _) if node.name.as_deref() == Some("Covered") => {
-            Covered::read(node, geometry, origin).map(|covered| Punch::Covered(covered).into())
+            read_covered(node, geometry, origin).map(|covered| Punch::Covered(covered).into())
         }
         (_, true) => origin.read::<RoundPunch>(node, &owner).map(|punch| Punch::from(punch).into()),
         (_, false) => origin.read::<Punch>(node, &owner).map(Top::from),

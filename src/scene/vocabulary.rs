@@ -4,7 +4,8 @@ use recede_layers::{Entry, Registry};
 use serde_json::{Value as Json, json};
 
 use super::item::RECEDING;
-use super::read::{CommonFields, Draft, NAME, Receding};
+use super::read::Draft;
+use super::read_item::{CommonFields, NAME, Receding};
 use super::read_top::TOPS;
 use super::round::{RoundLoad, RoundPunch};
 use super::{Item, Load, Punch, Spring};
