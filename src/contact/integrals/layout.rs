@@ -79,6 +79,13 @@ pub(crate) struct Own {
     pub(crate) exponentials: (Vec<[f64; 2]>, Vec<f64>),
 }
 
+impl Own {
+    /// What was taken out of the kernel over its limit.
+    pub(crate) fn exponentials_over_limit(&self) -> Vec<[f64; 2]> {
+        self.exponentials.0.iter().map(|[b, c]| [*b, c / self.limit]).collect()
+    }
+}
+
 /// Vectors begin with room for this number of real wavenumbers, enough for most layouts: else they grow five times each. No number depends on it.
 const USUAL: usize = 512;
 

@@ -215,9 +215,7 @@ impl Equations<'_> {
     /// What half-planes, in units of the limit of the kernel, and short waves do to the tests of a contact: each column, or all of them with some amplitudes. `None` if short waves take too many wavenumbers.
     pub(super) fn in_space<'a>(&self, contact: usize, amplitudes: Option<&'a [f64]>) -> Option<InSpace<'a>> {
         let (columns, own) = (&self.columns[contact], &self.layout.own[contact]);
-        let per_limit = own.exponentials.0.iter().map(|[b, c]| [*b, c / own.limit]);
-        let exponentials: Vec<[f64; 2]> = per_limit.collect();
-        let mut space = columns.in_space(&exponentials, amplitudes);
+        let mut space = columns.in_space(&own.exponentials_over_limit(), amplitudes);
         columns.add_short_waves(&mut space, self.short_waves(contact)?, own.limit);
         columns.subtract(&mut space);
         Some(space)

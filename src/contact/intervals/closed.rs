@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::errors::Errors;
-use crate::contact::intervals::gaps::{self, Fault, Gaps, Signs};
+use crate::contact::intervals::gaps::{self, Fault, Gaps, Least, Signs};
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::of_contacts;
 use crate::contact::intervals::pressure::Pressure;
@@ -42,11 +42,11 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
     Ok(Signs { closed: smallest(problem, level, error)?, ..signs })
 }
 
-/// The smallest pressure on each interface that lies on another one, and where it is.
+/// Where the smallest pressure on each interface that lies on another one is.
 ///
 /// # Errors
 /// [`Fault::Penetration`] where the layers would pull: there is another opening there.
-fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<(f64, f64)>, Fault> {
+fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<Least>, Fault> {
     let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
     if opened.is_empty() {
         return Ok(Vec::new());
@@ -78,7 +78,10 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
             let (at, depth) = (places[least], -pressures[least] / weight);
             return Err(Fault::Penetration { contact, punch: 0, at, depth, over });
         }
-        found.push((pressures[least], places[least]));
+        let at = |k: usize| places[k.min(places.len() - 1)];
+        // what is even goes on on the left
+        let left = if least > 0 { at(least - 1) } else { -at(usize::from(at(0) == 0.0)) };
+        found.push(Least([left, at(least), at(least + 1)]));
     }
     Ok(found)
 }
@@ -100,17 +103,24 @@ pub(super) fn found(
     problem: &Problem,
     level: &Approximation,
     errors: &Errors,
-    least: &[(f64, f64)],
+    least: &[Least],
 ) -> Option<Vec<ClosedInterface>> {
     let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
     if opened.is_empty() {
         return Some(Vec::new());
     }
     let negligible = negligible(problem.tolerance);
-    let lengths = Lengths::of(problem, &level.support, &level.counts, negligible);
+    let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible);
+    for contact in opened.iter().copied() {
+        // the tail next to a graded face in closed form: at a place there is no other one
+        let asymptote = problem.kernel.asymptote(contact);
+        let enough = asymptote.exponentials_suffice(lengths.shortest[contact], negligible);
+        lengths.turned[contact] = lengths.turned[contact].max(enough);
+        lengths.exponentials[contact] = asymptote.exponentials();
+    }
     let layout = Layout::new(problem.kernel, &lengths, negligible, problem.origin.abs())?;
     let own = Gaps::new(problem, &layout, level);
-    let of = |(contact, (smallest_pressure, smallest_at)): (usize, &(f64, f64))| {
+    let of = |(contact, least): (usize, &Least)| {
         let Side::Openings(pressed) = &problem.sides[contact] else { return None };
         let weight = pressed.weight;
         let numbers = || (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
@@ -125,9 +135,10 @@ pub(super) fn found(
         let x = -problem.origin;
         // it is zero where an opening ends
         let end = openings.last().map(|last| (0.0, last.right));
-        let (smallest_pressure, smallest_at) = end.unwrap_or((*smallest_pressure, *smallest_at));
+        let pressures = |places: &[f64]| own.pressures(contact, pressed, places);
+        let (smallest_pressure, smallest_at) = end.unwrap_or_else(|| least.refined(pressures));
         let is_open = openings.iter().any(|own| own.left <= x && x <= own.right);
-        let central = if is_open { 0.0 } else { own.pressures(contact, pressed, &[x])[0] };
+        let central = if is_open { 0.0 } else { pressures(&[x])[0] };
         Some(ClosedInterface {
             interface: problem.interfaces[contact],
             weight,
