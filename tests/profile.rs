@@ -96,7 +96,11 @@ fn slopes_are_derivatives_of_displacements() {
 
 #[test]
 fn the_top_face_follows_the_punch() {
-    for scene in scenes().iter().filter(|scene| scene.top.loads().is_none() && scene.top.material().is_none()) {
+    // a face that gives way does not keep its profile
+    let is_rigid = |scene: &&Scene| {
+        scene.top.material().is_none() && scene.top.punch().is_none_or(|punch| punch.cover().is_none())
+    };
+    for scene in scenes().iter().filter(|scene| scene.top.loads().is_none()).filter(is_rigid) {
         let inside = |solution: &Solution| {
             let interval = *solution.contacts()[0].intervals().last().unwrap();
             [0.2, 0.55, 0.8].map(|s| interval.left + s * (interval.right - interval.left)).to_vec()
