@@ -52,7 +52,7 @@ impl PlacedLayer {
         self.residual.map_or([0.0; 3], of)
     }
 
-    /// What it is called in messages.
+    /// Its name in messages.
     pub(super) fn label(&self) -> String {
         layer_label(self.number, self.layer.name())
     }

@@ -82,7 +82,7 @@ pub(super) fn read_item(item: &Node, number: usize, geometry: Geometry, origin: 
     Ok(common.of(read))
 }
 
-/// An error that names the allowed fields of a layer, with those that any layer may have.
+/// An error that names the allowed fields of a layer, and the fields that any layer may have.
 fn with_common_fields(mut error: ReadError) -> ReadError {
     if let (None, Fault::UnknownField { allowed, .. }) = (&error.field, &mut error.fault) {
         let count = if allowed.contains(&"thickness") { COMMON.len() } else { 1 };

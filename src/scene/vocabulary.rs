@@ -77,7 +77,7 @@ fn alternatives(value: Value) -> Vec<Form> {
     if let Value::OneOf(forms) = value { forms } else { Vec::new() }
 }
 
-/// The JSON Schema of the fields of a layer or base, with those that each of them may have besides its own; `None` if the type has none.
+/// The JSON Schema of the fields of a layer or base, with the common ones; `None` if the type has none.
 fn schema_of_entry(entry: &Entry) -> Option<Json> {
     let mut fields = entry.schema?().to_value();
     let is_thick = fields["properties"].get(THICKNESS).is_some();

@@ -17,7 +17,7 @@ use crate::numeric::vector::{LANES, Lanes, vectorised};
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
 const FARTHER: f64 = 2.0;
-/// How often the neighbours of the smallest pressure are brought closer together, each time to two of so many parts of what lies between them.
+/// How often the neighbours of the smallest pressure are brought closer together, each time to two of this number of parts of their distance.
 const CLOSER: usize = 6;
 const AMONG: usize = 6;
 
