@@ -6,6 +6,8 @@ use super::error::FieldError;
 use super::point::FieldPoint;
 use super::surface::Surface;
 use super::{Field, PlacedLayer, Precision};
+use crate::solution::Solution;
+use crate::stack::Stack;
 pub use crate::system::Face as FaceSide;
 
 /// One face of a layer along x.
@@ -35,6 +37,13 @@ impl Field {
     /// ```
     pub fn second(&self) -> Option<&Self> {
         self.second.as_deref()
+    }
+
+    /// The field in the body that presses on the top face of a stack, under the pressure there.
+    pub(super) fn of_second(stack: &Stack, solution: &Solution) -> Option<Box<Self>> {
+        let contacts = solution.contacts().iter().take(1).cloned().collect();
+        let top = || Solution { contacts, closed: Vec::new(), ..solution.clone() };
+        stack.second().map(|second| Box::new(Self::new(second, &top())))
     }
 
     /// The faces of all layers from the top down at these places.

@@ -122,9 +122,8 @@ pub struct Field {
 impl Field {
     /// The field of a solution of this stack; to be had from [`crate::Model::field`].
     pub(crate) fn new(stack: &Stack, solution: &Solution) -> Self {
-        let plane = stack.plane();
         let layers = body::layers(stack);
-        let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, plane).shear_compliance.recip());
+        let modulus = layers.first().map_or(1.0, |s| s.layer.material(0.0, stack.plane()).shear_compliance.recip());
         let gaps = stack.gaps().dents();
         // dents are about x = 0
         let is_at_middle = |middle: &f64| *middle == 0.0 || solution.closed().is_empty() || gaps.0.is_empty();
@@ -146,7 +145,7 @@ impl Field {
         }
         let stiffnesses = |placed: &PlacedLayer| {
             let depths = [0.0, 0.5, 1.0].map(|part| part * placed.thickness.unwrap_or(0.0));
-            depths.map(|depth| placed.layer.material(depth, plane).axial_stiffness)
+            depths.map(|depth| placed.layer.material(depth, stack.plane()).axial_stiffness)
         };
         let stiffness: Vec<f64> = layers.iter().flat_map(stiffnesses).collect();
         let [largest, smallest] =
@@ -173,10 +172,7 @@ impl Field {
             base: is_joined.then(|| below.foundation().number()),
             pressure_error: 0.0,
             superposed: Superposed::new(stack, solution),
-            second: stack.second().map(|second| {
-                let contacts = solution.contacts()[..1].to_vec();
-                Box::new(Self::new(second, &Solution { contacts, closed: Vec::new(), ..solution.clone() }))
-            }),
+            second: Self::of_second(stack, solution),
         };
         let interfaces = contacts.iter().map(|own| own.interface).chain(closed.iter().map(|own| own.interface));
         let apart = interfaces.zip(&field.joints);

@@ -11,7 +11,6 @@ use crate::numeric::means::MeanWindow;
 use crate::numeric::quadrature::{self, LARGEST, rule};
 
 /// What waves of the pressure of one contact add to the depth.
-#[derive(Default)]
 pub(crate) struct DepthWaves {
     /// Wavenumbers ζ.
     pub(crate) zeta: Vec<f64>,
@@ -22,6 +21,14 @@ pub(crate) struct DepthWaves {
     /// The same of the odd transform less the moment, and of the moment, where nothing is even.
     pub(crate) odd: Vec<Vec<f64>>,
     pub(crate) moment: Vec<Vec<f64>>,
+}
+
+impl DepthWaves {
+    /// No wave yet, of this number of means.
+    fn none(count: usize) -> Self {
+        let [all, resultant, odd, moment] = std::array::from_fn(|_| vec![Vec::new(); count]);
+        Self { zeta: Vec::new(), all, resultant, odd, moment }
+    }
 }
 
 /// Means of waves over the windows of all contacts.
@@ -81,14 +88,7 @@ impl Kernel {
                 means.widest = contact;
             }
         }
-        let none = || DepthWaves {
-            all: vec![Vec::new(); count],
-            resultant: vec![Vec::new(); count],
-            odd: vec![Vec::new(); count],
-            moment: vec![Vec::new(); count],
-            zeta: Vec::new(),
-        };
-        let mut all: Vec<DepthWaves> = windows.iter().map(|_| none()).collect();
+        let mut all: Vec<DepthWaves> = windows.iter().map(|_| DepthWaves::none(count)).collect();
         let mut values = Values::default();
         for ([from, to], nodes) in stretches {
             self.values(&zeta[nodes.clone()], [from, to], &mut values);

@@ -223,7 +223,7 @@ impl Stack {
     /// ```
     /// use recede::{Homogeneous, Model, Plane, Punch, Stack};
     /// let layer = Homogeneous::new(1.0, 1.0, 0.3)?;
-    /// let cover = || Stack::builder(Plane::Strain).layer(layer.clone()).bonded().rigid().build();
+    /// let cover = || Stack::builder(Plane::Strain).layer(layer).bonded().rigid().build();
     /// let roller = Punch::parabola(100.0)?;
     /// // two equal covers share what one of them has under twice the curvature
     /// let both = Model::new(cover()?.under(cover()?)?)?.press(&roller, 0.01)?;
