@@ -145,7 +145,7 @@ impl Model {
             Some(curves) => curves.press(top, options.tolerance, force, press),
             None => press(options.tolerance, force),
         }?;
-        self.with_closed(top, options, solution)
+        self.with_closed((top, force), options, solution)
     }
 
     /// A load that is nothing to weights on all interfaces, with its force, where none is given; `None` if weights do not press all layers together, or under a punch.
@@ -321,23 +321,15 @@ impl Model {
     /// # Errors
     /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined; [`ApproachError::Punches`] for
     /// several punches;
-    /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
+    /// [`ApproachError::NotFound`] if the contact equations could not be solved; [`ApproachError::Field`] if the solution is one of another stack.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
         let top = &top.into();
-        match self.check_closed(solution) {
-            Err(FieldError::Openings) => {
-                approach::defined(top, &self.stack)?;
-                approach::with_openings(top, &self.stack, solution).swap_remove(0)
-            }
-            closed => {
-                closed?;
-                approach::approach(top, self.solved(), &self.kernel, solution)
-            }
-        }
+        approach::defined(top, self.solved())?;
+        self.approaches(top, solution).swap_remove(0)
     }
 
     /// The approach of each punch, from left to right, also of punches that are several, turned or not at x = 0: how far its tip has moved down since the
-    /// punch, not turned, touched the top face with its lowest point. The stiffness is computed for one punch that is symmetric about x = 0 only.
+    /// punch, not turned, touched the top face with its lowest point. Stiffnesses are derivatives while the forces on other punches stay as they are.
     /// Where there is none for all punches, one entry says why.
     ///
     /// ```
@@ -353,10 +345,17 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn approaches(&self, top: impl Into<Top>, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
-        match self.check_closed(solution) {
-            Ok(()) => approach::of_each(&top.into(), self.solved(), &self.kernel, solution),
-            Err(FieldError::Openings) => approach::with_openings(&top.into(), &self.stack, solution),
-            Err(error) => vec![Err(error.into())],
+        if let Err(error) = self.check_owns(solution) {
+            return vec![Err(error.into())];
+        }
+        let (top, interfaces) = (top.into(), self.stack.contacts());
+        let asked = self.asked(&top, &Options::default());
+        let weights = self.closed.as_ref().filter(|_| self.check_closed(solution).is_err());
+        match weights {
+            Some((_, weights)) => {
+                approach::of_each(&Self::with_weights(&asked, weights, &interfaces), self.solved(), solution)
+            }
+            None => approach::of_each(&asked, self.solved(), solution),
         }
     }
 }

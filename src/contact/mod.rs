@@ -11,7 +11,6 @@ mod prescribed;
 pub(crate) mod problem;
 mod programme;
 pub(crate) mod starts;
-mod tangent;
 mod thin;
 
 use std::borrow::Cow;
@@ -23,10 +22,10 @@ use crate::solution::{Contact, Controlled, Interface, Ledger, OwnerKey, Solution
 
 pub use error::{ContactError, NoSolution};
 pub(crate) use interpolation::Curves;
-pub(crate) use tangent::tangent;
 
 use answer::Answer;
 use intervals::Refused;
+pub(crate) use intervals::Sinking;
 use prescribed::Drive;
 use problem::iteration::Work;
 use problem::{Prescribed, Problem};
@@ -77,15 +76,14 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
 /// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then; no more than a share of the work for an answer is done.
 pub(crate) fn open(
     asked: &Asked,
+    force: Force,
     closed: &Solution,
     (openings, share): (&[(usize, [f64; 2])], f64),
 ) -> Result<Solution, ContactError> {
     let (top, own) = (asked.top_of(closed), asked.kernel_with_punch());
+    let drive = Drive::new(asked.top, &own, force)?;
     let asked = &Asked { top: &top, ..*asked };
-    let problem = asked.problem_of(&own, closed);
-    if problem.prescribed.iter().any(|(_, prescribed)| prescribed.depth().is_some()) {
-        return Err(ContactError::DepthWithOpenings);
-    }
+    let problem = drive.of(asked.problem(&own, closed.force()));
     let to_unit = |contact: &Contact| contact.clone().scaled(own.length().recip(), 1.0).moved(-problem.origin);
     let contacts: Vec<Contact> = closed.contacts.iter().map(to_unit).collect();
     let of_unit = |(contact, ends): &(usize, [f64; 2])| (*contact, ends.map(|x| x / own.length() - problem.origin));
@@ -93,7 +91,8 @@ pub(crate) fn open(
     let start = intervals::of_openings(&problem, &contacts, &openings);
     let (mut refused, mut work) = (Refused::default(), Work::at_most(share * problem.operations));
     let answer = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
-    let answer = answer.ok_or_else(|| refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()))?;
+    let answer =
+        answer.ok_or_else(|| drive.unmet(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into())))?;
     Ok(answer.into_solution(&problem, closed.force(), Some(asked.stack)))
 }
 
@@ -103,6 +102,15 @@ pub(crate) fn ledger(asked: &Asked, solution: &Solution) -> Option<Ledger> {
     let asked = &Asked { top: &top, ..*asked };
     let own = &*asked.kernel_under(solution.force());
     intervals::ledger(&asked.problem_of(own, solution), solution)
+}
+
+/// How far each punch of a solution has sunk, and the stiffness under it; see [`intervals::sinking`].
+pub(crate) fn sinking(asked: &Asked, solution: &Solution) -> Option<Vec<Sinking>> {
+    let top = asked.top_of(solution);
+    let asked = &Asked { top: &top, ..*asked };
+    let own = &*asked.kernel_under(solution.force());
+    let problem = asked.problem_of(own, solution);
+    thin::sinking(problem, solution)
 }
 
 impl Asked<'_> {

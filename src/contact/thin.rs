@@ -14,13 +14,13 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
 use crate::contact::error::ContactError;
-use crate::contact::intervals::Refused;
+use crate::contact::intervals::{self, Refused, Sinking};
 use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
 use crate::contact::starts::order::solve_in_order;
 use crate::kernel::{DECAYED, Kernel};
 use crate::numeric::largest;
-use crate::solution::{Contact, Interface, Warning, WarningCode};
+use crate::solution::{Contact, Interface, Solution, Warning, WarningCode};
 
 /// A kernel without the waves that only thin layers at the faces of contacts tell apart.
 struct Thin<'a> {
@@ -61,6 +61,23 @@ pub(super) fn solve(problem: &Problem, refused: &mut Refused) -> Result<Answer, 
         Some(_) => solve_in_order(problem, None, refused),
         None => solve_in_order(problem, near, refused),
     }
+}
+
+/// How far each punch of a solution has sunk; without what only layers much thinner than a contact change, if it was found so.
+pub(super) fn sinking(problem: Problem, solution: &Solution) -> Option<Vec<Sinking>> {
+    let is_left_out = |warning: &Warning| warning.code == WarningCode::ThinLayerLeftOut;
+    if !solution.warnings.iter().any(is_left_out) {
+        return intervals::sinking(problem, solution);
+    }
+    let half_length = |contact: &Contact| contact.innermost().right / problem.kernel.length();
+    let thin = Thin::new(&problem, solution.contacts.iter().map(half_length).collect()).ok()??;
+    let mut simpler = solution.clone();
+    for (lower, _) in &thin.joined {
+        simpler.contacts.remove(*lower);
+        simpler.stats.terms.remove(*lower);
+    }
+    let interfaces = thin.interfaces(problem.interfaces);
+    intervals::sinking(problem.on(&thin.kernel, &interfaces, problem.tolerance), &simpler)
 }
 
 /// The largest relative error of an answer.

@@ -2,7 +2,8 @@
 //!
 //! Where bodies touch the one above is as high as the one below. So a punch sinks by the sum of how far pressures move the faces of all contacts towards each other, averaged about
 //! the middle of each contact, and of how much higher the punch is there than at its lowest point. Waves move the faces of a contact by λμ₀C of its bodies under equal pressures,
-//! and by what neighbours that carry other pressures bend a laminate between them: of the latter only the differences of the means at both contacts are left in the sum.
+//! and by what neighbours that carry other pressures bend a laminate between them: of the latter only the differences of the means at both contacts are left in the sum. Where laminates
+//! lie on each other the top face alone is averaged: pressures on it, and gaps that open below, move it.
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -11,51 +12,38 @@ use crate::numeric::means::MeanWindow;
 use crate::numeric::quadrature::{self, LARGEST, rule};
 
 /// What waves of the pressure of one contact add to the depth.
+#[derive(Default)]
 pub(crate) struct DepthWaves {
     /// Wavenumbers ζ.
     pub(crate) zeta: Vec<f64>,
-    /// What ζ times the transform of the pressure less its resultant adds per unit of P' at each of them, by each mean.
-    pub(crate) all: Vec<Vec<f64>>,
+    /// What ζ times the transform of the pressure less its resultant adds per unit of P' at each of them; below a closed interface, of the slope of a gap as the top face meets it.
+    pub(crate) all: Vec<f64>,
     /// The same of ζ times the resultant, which all contacts have in common.
-    pub(crate) resultant: Vec<Vec<f64>>,
+    pub(crate) resultant: Vec<f64>,
     /// The same of the odd transform less the moment, and of the moment, where nothing is even.
-    pub(crate) odd: Vec<Vec<f64>>,
-    pub(crate) moment: Vec<Vec<f64>>,
-}
-
-impl DepthWaves {
-    /// No wave yet, of this number of means.
-    fn none(count: usize) -> Self {
-        let [all, resultant, odd, moment] = std::array::from_fn(|_| vec![Vec::new(); count]);
-        Self { zeta: Vec::new(), all, resultant, odd, moment }
-    }
+    pub(crate) odd: Vec<f64>,
+    pub(crate) moment: Vec<f64>,
 }
 
 /// Means of waves over the windows of all contacts.
 struct Means {
     /// Of each contact and wave.
-    all: Vec<Vec<[[f64; 2]; 2]>>,
+    all: Vec<Vec<[f64; 2]>>,
     /// The contact with the widest window.
     widest: usize,
 }
 
 impl Kernel {
-    /// The waves of each contact that add to the depth of a punch more than `negligible` of what the longest ones do. Depths are the first of the means over windows, or both, and
-    /// contacts reach as far as `ends` from the middle.
-    pub(crate) fn depth(
-        &self,
-        windows: &[MeanWindow],
-        ends: &[f64],
-        (negligible, count): (f64, usize),
-    ) -> Vec<DepthWaves> {
+    /// The waves of each contact that add to the depth of a punch more than `negligible` of what the longest ones do; contacts reach as far as `ends` from the middle.
+    pub(crate) fn depth(&self, windows: &[MeanWindow], ends: &[f64], negligible: f64) -> Vec<DepthWaves> {
         let seen: Vec<f64> = windows.iter().map(|window| window.last(negligible)).collect();
         // beyond its window a contact counts through couplings alone
         let reach = |contact: usize| {
-            let through = self.neighbours(contact).map(|(other, laminate)| {
+            let through = self.sunk_by(contact).map(|(other, laminate)| {
                 let half = windows[contact].half.min(windows[other].half);
                 self.uncoupled(laminate, half, negligible).min(seen[other])
             });
-            through.fold(seen[contact], f64::max)
+            through.fold(if self.is_averaged(contact) { seen[contact] } else { 0.0 }, f64::max)
         };
         let reaches: Vec<f64> = (0..windows.len()).map(reach).collect();
         let (mut zeta, mut weights, mut stretches, mut from) = (Vec::new(), Vec::new(), Vec::new(), 0.0);
@@ -84,11 +72,11 @@ impl Kernel {
         for (contact, window) in windows.iter().enumerate() {
             let above = contact.checked_sub(1).filter(|above| windows[*above] == *window);
             means.all.push(above.map_or_else(|| window.of_waves(is_round, &zeta), |above| means.all[above].clone()));
-            if window.half >= windows[means.widest].half {
+            if self.is_averaged(contact) && window.half >= windows[means.widest].half {
                 means.widest = contact;
             }
         }
-        let mut all: Vec<DepthWaves> = windows.iter().map(|_| DepthWaves::none(count)).collect();
+        let mut all: Vec<DepthWaves> = windows.iter().map(|_| DepthWaves::default()).collect();
         let mut values = Values::default();
         for ([from, to], nodes) in stretches {
             self.values(&zeta[nodes.clone()], [from, to], &mut values);
@@ -98,6 +86,16 @@ impl Kernel {
             }
         }
         all
+    }
+
+    /// Whether the faces of a contact are averaged.
+    fn is_averaged(&self, contact: usize) -> bool {
+        contact == 0 || !self.has_openings()
+    }
+
+    /// The other contacts whose faces a contact moves, with the numbers of their couplings.
+    fn sunk_by(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> {
+        self.neighbours(contact).filter(|(other, _)| self.is_averaged(*other))
     }
 
     /// What a displacement has of a wave with the amplitude 1 of ζ times a transform.
@@ -117,23 +115,33 @@ impl Kernel {
         let first = nodes.start;
         let (own, common, kernel) =
             (&means[contact][first..], &means[*widest][first..], values.equal_pressure(contact));
-        // neighbours carry the same resultants and moments, which do nothing between them
-        let bent = |k: usize, part: usize, mean: usize| {
-            let of = |(other, laminate): (usize, usize)| {
-                values.coupling(laminate)[k] * (means[other][first + k][part][mean] - own[k][part][mean])
-            };
-            self.neighbours(contact).map(of).sum::<f64>()
-        };
-        for mean in 0..into.all.len() {
-            for (k, weight) in weights[nodes.clone()].iter().enumerate() {
-                // as far as the means are the same, equal resultants of all contacts do nothing but squeeze
-                let squeezed = if contact == *widest { values.squeezed()[k] * (1.0 + common[k][0][mean]) } else { 0.0 };
-                let [even, odd] = own[k].map(|part| part[mean]);
-                into.all[mean].push(weight * (kernel[k] * (1.0 + even) + bent(k, 0, mean)));
-                into.odd[mean].push(weight * (kernel[k] * odd + bent(k, 1, mean)));
-                into.moment[mean].push(weight * kernel[k] * odd);
-                into.resultant[mean].push(weight * (kernel[k] * (even - common[k][0][mean]) + squeezed));
+        let coupled: Vec<(usize, &[f64])> =
+            self.sunk_by(contact).map(|(other, laminate)| (other, values.coupling(laminate))).collect();
+        if !self.is_averaged(contact) {
+            for (k, weight) in weights[nodes].iter().enumerate() {
+                let of = |(other, coupling): &(usize, &[f64])| means[*other][first + k].map(|mean| coupling[k] * mean);
+                let [even, odd] = coupled.iter().map(of).fold([0.0; 2], |sum, own| [sum[0] + own[0], sum[1] + own[1]]);
+                let whole: f64 = coupled.iter().map(|(_, coupling)| coupling[k]).sum();
+                let [even, odd] = [weight * (whole + even), weight * odd];
+                [&mut into.all, &mut into.resultant].into_iter().for_each(|all| all.push(even));
+                [&mut into.odd, &mut into.moment].into_iter().for_each(|all| all.push(odd));
             }
+            return;
+        }
+        // neighbours carry the same resultants and moments, which do nothing between them
+        let bent = |k: usize, part: usize| {
+            let of =
+                |(other, coupling): &(usize, &[f64])| coupling[k] * (means[*other][first + k][part] - own[k][part]);
+            coupled.iter().map(of).sum::<f64>()
+        };
+        for (k, weight) in weights[nodes].iter().enumerate() {
+            // as far as the means are the same, equal resultants of all contacts do nothing but squeeze
+            let squeezed = if contact == *widest { values.squeezed()[k] * (1.0 + common[k][0]) } else { 0.0 };
+            let [even, odd] = own[k];
+            into.all.push(weight * (kernel[k] * (1.0 + even) + bent(k, 0)));
+            into.odd.push(weight * (kernel[k] * odd + bent(k, 1)));
+            into.moment.push(weight * kernel[k] * odd);
+            into.resultant.push(weight * (kernel[k] * (even - common[k][0]) + squeezed));
         }
     }
 }

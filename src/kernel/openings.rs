@@ -37,6 +37,7 @@ pub(super) fn of_openings(order: Components, closed: &ClosedContacts, components
         let own = if i == 0 { closed.compliance() } else { closed.pressure(i, i) };
         (components[i], components[order.equal(i)]) = (own, own);
     }
+    components[order.squeezed()] = closed.compliance();
     for pair in 0..order.pairs() {
         let [above, below] = order.pair(pair);
         components[order.coupling(pair)] =

@@ -16,7 +16,12 @@ const ON_THE_WAY: f64 = 0.03;
 
 impl Model {
     /// A solution with the interfaces that weights keep closed.
-    pub(super) fn with_closed(&self, top: &Top, options: &Options, solution: Solution) -> Result<Solution, Error> {
+    pub(super) fn with_closed(
+        &self,
+        (top, force): (&Top, Force),
+        options: &Options,
+        solution: Solution,
+    ) -> Result<Solution, Error> {
         let Some((_, weights)) = &self.closed else { return Ok(solution) };
         if weights.has_dents() && top.punches().is_some() {
             return Err(ContactError::DentUnderPunch.into());
@@ -24,7 +29,7 @@ impl Model {
         let (closed, tensile) = weights.under(&solution);
         let Some((number, _)) = tensile else { return Ok(Solution { closed, ..solution }) };
         if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
-            return self.opened((top, weights), options.tolerance, &solution, tensile.as_slice());
+            return self.opened((top, force, weights), options.tolerance, &solution, tensile.as_slice());
         }
         let ClosedInterface { interface, smallest_at: x, .. } = closed[number - 1];
         let critical_force = self.separation_of(top, &solution).map_or(f64::NAN, |own| own.critical_force);
@@ -34,18 +39,18 @@ impl Model {
     /// The solution with openings, from the solution while all is closed, and from where layers would pull; where that leads nowhere, by way of smaller forces.
     fn opened(
         &self,
-        (top, weights): (&Top, &Weights),
+        (top, force, weights): (&Top, Force, &Weights),
         tolerance: f64,
         closed: &Solution,
         tensile: &[(usize, [f64; 2])],
     ) -> Result<Solution, Error> {
         let interfaces = self.stack.contacts();
-        let open = |top: &Top, closed: &Solution, tolerance: f64, openings: &[(usize, [f64; 2])]| {
+        let open = |(top, force): (&Top, Force), closed: &Solution, tolerance: f64, openings: &[(usize, [f64; 2])]| {
             let share = if tolerance == ROUGH { ON_THE_WAY } else { AT_ONCE };
             let asked = Asked { tolerance, ..self.asked(top, &Options::default()) };
-            contact::open(&Self::with_weights(&asked, weights, &interfaces), closed, (openings, share))
+            contact::open(&Self::with_weights(&asked, weights, &interfaces), force, closed, (openings, share))
         };
-        let error = match open(top, closed, tolerance, tensile) {
+        let error = match open((top, force), closed, tolerance, tensile) {
             Err(ContactError::NoSolution(error)) => error,
             other => return Ok(other?),
         };
@@ -57,14 +62,15 @@ impl Model {
             let factor = (last.ln() * (f64::from(step) / f64::from(steps) - 1.0)).exp();
             let (top, closed) = self.scaled(top, closed, factor).ok_or_else(|| error.clone())?;
             let start: Vec<_> = openings.unwrap_or_else(|| weights.under(&closed).1.into_iter().collect());
-            let found = open(&top, &closed, ROUGH, &start).map_err(|_| error.clone())?;
+            let found =
+                open((&top, Force::Given(closed.force())), &closed, ROUGH, &start).map_err(|_| error.clone())?;
             let of = |(number, own): (usize, &ClosedInterface)| {
                 let all = own.openings.iter().map(move |one| (number + 1, [one.left, one.right]));
                 all.collect::<Vec<_>>()
             };
             openings = Some(found.closed().iter().enumerate().flat_map(of).collect());
         }
-        Ok(open(top, closed, tolerance, &openings.unwrap_or_default())?)
+        Ok(open((top, force), closed, tolerance, &openings.unwrap_or_default())?)
     }
 
     /// The same top with all forces of a solution scaled by a factor, and the solution while all is closed.

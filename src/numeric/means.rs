@@ -42,60 +42,55 @@ impl MeanWindow {
         2.0 * (largest / negligible).powf((order + 0.5).recip()) / self.half
     }
 
-    /// The means of waves exp(iλx), with the weights (1 − t²)ⁿ and with t² times these: real parts less 1, and imaginary parts.
-    pub(crate) fn of_waves(&self, is_round: bool, wavenumbers: &[f64]) -> Vec<[[f64; 2]; 2]> {
+    /// The means of waves exp(iλx): real parts less 1, and imaginary parts.
+    pub(crate) fn of_waves(&self, is_round: bool, wavenumbers: &[f64]) -> Vec<[f64; 2]> {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.half).collect();
         let (count, first) = (arguments.len(), if is_round { FLAT + 1 } else { FLAT });
-        let mut table = vec![0.0; (first + 2) * count];
+        let mut table = vec![0.0; (first + 1) * count];
         let kind = if is_round { Kind::Integer } else { Kind::Spherical };
-        bessel::scaled_orders(first + 2, Wanted::ALL.of_kind(kind), &arguments, 1.0, count, &mut table);
+        bessel::scaled_orders(first + 1, Wanted::ALL.of_kind(kind), &arguments, 1.0, count, &mut table);
         // Γ(ν + 1) (2/z)^ν J_ν, next to z = 0 as a series of q = −z²/4
-        let less_one = |i: usize, order: usize, z: f64| {
-            let b = order as f64 + if is_round { 1.0 } else { 1.5 };
+        let less_one = |i: usize, z: f64| {
+            let b = first as f64 + if is_round { 1.0 } else { 1.5 };
             if z < SERIES {
                 let q = -0.25 * z * z;
                 return (0..TERMS).rev().fold(0.0, |sum, k| q * (1.0 + sum) / (f64::from(k + 1) * (b + f64::from(k))));
             }
             let factor = |k: usize| if is_round { 2.0 * k as f64 / z } else { (2 * k + 1) as f64 / z };
-            (1..=order).map(factor).product::<f64>() * table[order * count + i] - 1.0
+            (1..=first).map(factor).product::<f64>() * table[first * count + i] - 1.0
         };
-        // ∫ t² w is the difference of two such integrals
-        let share = if is_round { FLAT as f64 + 2.0 } else { 2.0 * FLAT as f64 + 3.0 };
         let of = |(i, (z, wavenumber)): (usize, (&f64, &f64))| {
-            let [mean, next] = [0, 1].map(|more| less_one(i, first + more, *z));
-            let means = [mean, share * mean - (share - 1.0) * next];
+            let mean = less_one(i, *z);
             if self.middle == 0.0 {
-                return [means, [0.0; 2]];
+                return [mean, 0.0];
             }
             // about another middle
             let (sin, cos) = (0.5 * wavenumber * self.middle).sin_cos();
-            [means.map(|mean| mean - 2.0 * sin * sin * (1.0 + mean)), means.map(|mean| 2.0 * sin * cos * (1.0 + mean))]
+            [mean - 2.0 * sin * sin * (1.0 + mean), 2.0 * sin * cos * (1.0 + mean)]
         };
         arguments.iter().zip(wavenumbers).enumerate().map(of).collect()
     }
 
-    /// The means of a profile with both weights; its pieces begin at these places.
-    pub(crate) fn of_profile(&self, is_round: bool, profile: impl Fn(f64) -> f64, starts: &[f64]) -> [f64; 2] {
+    /// The mean of a profile; its pieces begin at these places.
+    pub(crate) fn of_profile(&self, is_round: bool, profile: impl Fn(f64) -> f64, starts: &[f64]) -> f64 {
         let first = if is_round { 0.0 } else { -1.0 };
         let mut ends: Vec<f64> = starts.iter().map(|start| (start - self.middle) / self.half).collect();
         ends.retain(|t| *t > first && *t < 1.0);
         ends.extend([first, 1.0]);
         ends.sort_by(f64::total_cmp);
-        let [mut sums, mut weights] = [[0.0; 2]; 2];
+        let [mut sum, mut weights] = [0.0; 2];
         for (t, weight) in ends.windows(2).flat_map(|pair| quadrature::rule(NODES).on(pair[0], pair[1])) {
             let x = self.middle + self.half * t;
             let around = if is_round { x } else { 1.0 };
             let weight = weight * around * (1.0 - t * t).powi(FLAT as i32);
-            for (k, weight) in [weight, weight * t * t].into_iter().enumerate() {
-                sums[k] += weight * profile(x);
-                weights[k] += weight;
-            }
+            sum += weight * profile(x);
+            weights += weight;
         }
-        [sums[0] / weights[0], sums[1] / weights[1]]
+        sum / weights
     }
 
     /// Windows on contacts from the top down that touch between these ends: about the middle of the widest interval, or as far as the bodies touch about the same place as above.
-    /// Those of neighbours that are nearly the same are made the same.
+    /// Those of neighbours that are nearly the same are made the same. Where no bodies touch it is the window above.
     pub(crate) fn on_contacts(contacts: &[Vec<[f64; 2]>]) -> Vec<Self> {
         let mut windows: Vec<Self> = Vec::with_capacity(contacts.len());
         for intervals in contacts {
@@ -105,7 +100,10 @@ impl MeanWindow {
             let window = match (intervals.iter().find(touches), about) {
                 (Some(own), Some(middle)) => Self { middle, half: (own[1] - middle).min(middle - own[0]) },
                 _ => {
-                    let [left, right] = *widest().unwrap_or(&[-1.0, 1.0]);
+                    let Some([left, right]) = widest() else {
+                        windows.extend(windows.last().copied());
+                        continue;
+                    };
                     Self { middle: 0.5 * (left + right), half: 0.5 * (right - left) }
                 }
             };
@@ -133,7 +131,7 @@ mod tests {
         for is_round in [false, true] {
             let window = MeanWindow { middle: if is_round { 0.0 } else { 0.7 }, half: 0.5 };
             for wavenumber in [1e-3, 0.8, 7.9, 8.1, 40.0] {
-                let [mut integrals, mut weights] = [[0.0; 2]; 2];
+                let [mut integral, mut weights] = [0.0; 2];
                 for (t, weight) in rule(60).on(if is_round { 0.0 } else { -1.0 }, 1.0) {
                     let x = window.middle + window.half * t;
                     let z = wavenumber * x.abs();
@@ -141,16 +139,11 @@ mod tests {
                     bessel::table(1, &[z], &mut bessel);
                     let (wave, around) = if is_round { (bessel[0], x.abs()) } else { (z.cos(), 1.0) };
                     let weight = weight * around * (1.0 - t * t).powi(FLAT as i32);
-                    for (k, weight) in [weight, weight * t * t].into_iter().enumerate() {
-                        integrals[k] += weight * (wave - 1.0);
-                        weights[k] += weight;
-                    }
+                    integral += weight * (wave - 1.0);
+                    weights += weight;
                 }
-                let [means, _] = window.of_waves(is_round, &[wavenumber])[0];
-                for (k, mean) in means.into_iter().enumerate() {
-                    let expected = integrals[k] / weights[k];
-                    assert!((mean - expected).abs() < 1e-13, "{is_round} {wavenumber} {k}: {mean} {expected}");
-                }
+                let ([mean, _], expected) = (window.of_waves(is_round, &[wavenumber])[0], integral / weights);
+                assert!((mean - expected).abs() < 1e-13, "{is_round} {wavenumber}: {mean} {expected}");
             }
         }
     }

@@ -30,9 +30,8 @@ impl Equations<'_> {
             let counts: Vec<usize> = tips.iter().zip(columns.counts).map(more).collect();
             let with_tips = Columns::new(columns.intervals, &counts, self.moves);
             let (waves, long) = (with_tips.waves(&own.zeta, workspace), with_tips.long_waves(&own.zeta, workspace));
-            let parts = |even: &[f64], odd: &[f64]| if self.moves { [even, odd].concat() } else { even.to_vec() };
-            let mut tested = waves.all().test(&parts(&own.all[0], &own.odd[0]));
-            let told = long.values.all().test(&parts(&own.resultant[0], &own.moment[0]));
+            let mut tested = waves.all().test(&self.met_by_top(contact, [&own.all, &own.odd]));
+            let told = long.values.all().test(&self.met_by_top(contact, [&own.resultant, &own.moment]));
             long.places.iter().zip(told).for_each(|(column, wave)| tested[*column] += wave);
             for (number, (interval, tip)) in columns.intervals.iter().zip(&tips).enumerate().rev() {
                 let first = with_tips.first(number);
@@ -63,7 +62,7 @@ impl Equations<'_> {
             largest(columns.intervals.iter().map(|own: &ContactInterval| own.to().max(-own.from())))
         };
         let ends: Vec<f64> = self.columns.iter().map(end).collect();
-        let waves = self.problem.kernel.depth(&windows, &ends, (self.layout.negligible, 1));
+        let waves = self.problem.kernel.depth(&windows, &ends, self.layout.negligible);
         let height = (0..windows.len()).map(|contact| self.height(contact, punch, &windows[contact])).sum();
         let depth = Rc::new(Depth { punch, windows, waves, height });
         known.push(depth.clone());
@@ -75,9 +74,12 @@ impl Equations<'_> {
         self.problem.sides[contact].mean_height(if contact > 0 { 0 } else { punch }, window)
     }
 
-    /// Where displacements are averaged under a punch and below: where all is even, on the innermost intervals.
+    /// Where displacements are averaged under a punch and below: where all is even, on the innermost intervals; under the punch alone where bodies lie on each other but for openings.
     fn windows(&self, punch: usize) -> Vec<MeanWindow> {
         let of = |(contact, columns): (usize, &Columns)| {
+            if self.problem.is_opened(contact) {
+                return Vec::new();
+            }
             let own = columns.intervals.iter().filter(|own| contact > 0 || own.punch == punch);
             let ends = own.map(|own| [own.middle - own.half, own.middle + own.half]);
             if self.moves { ends.collect() } else { ends.take(1).collect() }

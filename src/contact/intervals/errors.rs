@@ -11,7 +11,7 @@ use crate::solution::{Warning, WarningCode};
 /// Changes from level to level are said to fall at least this fast, and at most.
 const MOST_FALL: f64 = 0.75;
 const LEAST_FALL: f64 = 0.01;
-const LEAST_FALL_GRADED: f64 = 0.1;
+pub(super) const LEAST_FALL_GRADED: f64 = 0.1;
 const LEAST_FALL_KINKED: f64 = 0.5;
 
 /// How well ends and pressures are known, from what fewer terms tell of them.
@@ -54,12 +54,8 @@ impl Errors {
             true => LEAST_FALL_GRADED,
             false => LEAST_FALL,
         };
-        let fall = |changes: &[[f64; 2]]| {
-            let [last, before] = [0, 1].map(|k| largest(changes.iter().map(|change| change[k].abs())));
-            if last > 0.0 { (last / before).clamp(least, MOST_FALL) } else { least }
-        };
-        let falls = [fall(&moves), fall(&changes), fall(&[of_force])];
-        let [of_ends, of_pressures, of_forces] = falls.map(|fall| SAFETY * fall / (1.0 - fall));
+        let falls = [fall(&moves, least), fall(&changes, least), fall(&[of_force], least)];
+        let [of_ends, of_pressures] = [falls[0], falls[1]].map(|fall| SAFETY * fall / (1.0 - fall));
         // short waves matter where an interval is short
         let rest = |interval: &ContactInterval| {
             SAFETY * level.left
@@ -69,7 +65,7 @@ impl Errors {
         let rests: Vec<f64> = all.iter().map(rest).collect();
         let steps = if level.is_rounding { 0.0 } else { SAFETY * level.left };
         let most = |changes: &[[f64; 2]]| largest(changes.iter().map(|[last, _]| last.abs()));
-        let missing_force = of_forces * of_force[0].abs();
+        let missing_force = beyond(of_force, least);
         let missing = (of_ends * most(&moves)).max(of_pressures * most(&changes)).max(missing_force);
         let mut next = moves.iter();
         let ends = |(interval, rest): (&ContactInterval, &f64)| {
@@ -157,6 +153,18 @@ impl Errors {
     pub(super) fn worst(&self) -> f64 {
         largest(self.ends.iter().flatten().chain(&self.pressures).copied().chain([self.force]))
     }
+}
+
+/// How much less half as many terms more change than those before, from what the last third of the terms changes and the third before, at least this much.
+fn fall(changes: &[[f64; 2]], least: f64) -> f64 {
+    let [last, before] = [0, 1].map(|k| largest(changes.iter().map(|change| change[k].abs())));
+    if last > 0.0 { (last / before).clamp(least, MOST_FALL) } else { least }
+}
+
+/// What all further terms change, from what the last third of the terms changes and the third before.
+pub(super) fn beyond(changes: [f64; 2], least: f64) -> f64 {
+    let fall = fall(&[changes], least);
+    SAFETY * fall / (1.0 - fall) * changes[0].abs()
 }
 
 impl Approximation {

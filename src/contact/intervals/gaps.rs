@@ -84,8 +84,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
         let mut own = level.support.0.iter().zip(&unknown).filter(|(interval, _)| interval.contact == contact);
         own.any(|(_, ends)| ends.contains(&ENDLESS))
     };
-    let opens =
-        |contact: &usize| !problem.sides[*contact].is_joined() && !problem.is_opened(*contact) && !decays(*contact);
+    let opens = |contact: &usize| !problem.is_opened(*contact) && !decays(*contact);
     let open: Vec<usize> = problem.unknown().filter(opens).collect();
     if open.is_empty() {
         return Ok(signs);
@@ -138,10 +137,6 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Signs, Fault> {
         let extremes = |(least, most): (f64, f64), p: &f64| (least.min(*p), most.max(*p));
         let (least, most) = inside.iter().fold((0.0, 0.0), extremes);
         let contact = interval.contact;
-        if problem.sides[contact].is_joined() {
-            ends.push([0.0; 2]);
-            continue;
-        }
         if interval.opens {
             ends.push([0.0; 2]);
             if least < -COARSE * most {

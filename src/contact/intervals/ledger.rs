@@ -2,22 +2,13 @@
 use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::columns::Other;
 use crate::contact::intervals::equations::{Equations, Load};
-use crate::contact::intervals::of_openings;
+use crate::contact::intervals::sinking::intervals_of;
 use crate::contact::problem::Problem;
-use crate::solution::{Contact, Ledger, LedgerEntry, Solution};
+use crate::solution::{Ledger, LedgerEntry, Solution};
 
 /// The contact equations on the intervals of a solution, with as many terms as it has; `None` where it is of low accuracy, and no solution of these equations.
 pub(crate) fn ledger(problem: &Problem, solution: &Solution) -> Option<Ledger> {
-    let own = |contact: &Contact| contact.clone().scaled(problem.kernel.length().recip(), 1.0).moved(-problem.origin);
-    let contacts = problem.unknown().filter_map(|contact| solution.contacts.get(contact));
-    let contacts: Vec<Contact> = contacts.map(own).collect();
-    let place = |x: f64| x / problem.kernel.length() - problem.origin;
-    let openings =
-        solution.closed.iter().enumerate().flat_map(|(number, own)| {
-            own.openings.iter().map(move |one| (number + 1, [one.left, one.right].map(place)))
-        });
-    let support = of_openings(problem, &contacts, &openings.collect::<Vec<_>>())?;
-    let counts = solution.stats.terms.concat();
+    let (support, counts) = intervals_of(problem, solution)?;
     let negligible = negligible(problem.tolerance);
     let layout = Layout::new(problem.kernel, &Lengths::of(problem, &support, &counts, negligible), negligible, 0.0)?;
     Some(Equations::new(problem, &layout, &support, &counts).ledger())

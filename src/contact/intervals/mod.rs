@@ -18,6 +18,7 @@ mod pressure;
 mod recontact;
 mod responses;
 mod short_waves;
+mod sinking;
 mod space;
 mod steps;
 mod support;
@@ -44,6 +45,8 @@ use gaps::Fault;
 pub(super) use ledger::ledger;
 use newton::{Approximation, converge};
 use pressure::{Pressure, Tip};
+pub(crate) use sinking::Sinking;
+pub(super) use sinking::sinking;
 pub(super) use support::Intervals;
 use support::{ContactInterval, Parity};
 pub(super) use topology::{Refused, solve};
@@ -64,7 +67,7 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
     let of = |Expected { contact, punch, ends }: &Expected| {
         if problem.is_even() {
             let half = [ends[0].max(0.0), ends[1]];
-            let corners = [half[0] == 0.0, true].map(|may| may && problem.sides[*contact].has_corners());
+            let corners = [half[0] == 0.0, true].map(|may| may && problem.sides[*contact].is_flat());
             return (ends[1] > 0.0)
                 .then(|| ContactInterval::even(problem.twin(), *contact, half).with_corners(corners));
         }

@@ -10,11 +10,22 @@ impl Equations<'_> {
     /// The part, real or imaginary, of another contact's waves that makes a part of the slopes or pressures of a contact, with its sign: a pressure and the slope of a gap are a quarter of a
     /// wave apart. Where all is even a pressure has a real part alone, and a slope an imaginary one.
     fn shifted(&self, contact: usize, other: usize, part: usize) -> (usize, f64) {
-        match (contact == 0) == (other == 0) {
+        match (contact == 0) == (other == 0) || !self.problem.kernel.has_openings() {
             true => (part, 1.0),
             false if self.moves => (1 - part, 1.0 - 2.0 * part as f64),
             false => (part, if contact == 0 { 1.0 } else { -1.0 }),
         }
+    }
+
+    /// Weights of both parts of a contact's waves as the top face meets these, as weights of the waves as they are.
+    pub(super) fn met_by_top(&self, contact: usize, weights: [&[f64]; 2]) -> Vec<f64> {
+        let count = weights[0].len();
+        let mut all = vec![0.0; self.parts() * count];
+        for (part, weights) in weights.into_iter().take(self.parts()).enumerate() {
+            let (from, sign) = self.shifted(0, contact, part);
+            all[from * count..].iter_mut().zip(weights).for_each(|(into, weight)| *into = sign * weight);
+        }
+        all
     }
 
     /// Hands out, block by block of wavenumbers, the columns of each contact, and the slopes of waves that pressures with each of some sets of amplitudes make

@@ -28,9 +28,7 @@ struct Inside<'a> {
 pub(super) fn tension(problem: &Problem, level: &Approximation) -> Tension {
     let mut found = Tension::None;
     let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0].pressures).enumerate();
-    for (number, ((interval, pressure), coarser)) in
-        all.filter(|(_, ((interval, _), _))| !problem.sides[interval.contact].is_joined())
-    {
+    for (number, ((interval, pressure), coarser)) in all {
         let places = pressure.places(interval);
         let inside = |own: &Pressure| own.regular(interval).inside(interval, places);
         let (own, coarser) = (Inside { interval, places, pressures: inside(pressure) }, inside(coarser));

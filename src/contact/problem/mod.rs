@@ -114,8 +114,6 @@ pub(crate) enum Side<'a> {
     Known(Given<'a>),
     /// The bodies lie on each other but for openings, and this pressure is on them while nothing else presses.
     Openings(ClosedPressure<'a>),
-    /// The bodies stay together on a contact of this half-length, in units of L, whether they press or pull.
-    Joined(f64),
 }
 
 impl<'a> Problem<'a> {
@@ -185,20 +183,6 @@ impl<'a> Problem<'a> {
         // dents are about x = 0
         problem.is_even &= by_dents.is_empty() || origin == 0.0;
         problem
-    }
-
-    /// A unit force on contacts that stay together on these half-lengths, in the units of the scene: how the pressures grow with the
-    /// force while the contacts are of these half-lengths, since they vanish at their ends.
-    pub(crate) fn joined(
-        kernel: &'a Kernel,
-        interfaces: &'a [Interface],
-        top: &'a Top,
-        half_lengths: &[f64],
-        tolerance: f64,
-    ) -> Self {
-        let length = kernel.length();
-        let sides = half_lengths.iter().map(|a| Side::Joined(a / length)).collect();
-        Self { sides, prescribed: Vec::new(), ..Self::new(kernel, interfaces, (top, &[]), 1.0, tolerance) }
     }
 
     /// The same punch and force on another kernel in the same units, with another tolerance.
@@ -370,16 +354,6 @@ impl<'a> Side<'a> {
     /// Whether the punch of the contact has sharp corners.
     pub(crate) fn is_flat(&self) -> bool {
         self.profile().is_some_and(|profile| profile.flat().is_some())
-    }
-
-    /// Whether the pressure is singular at both ends of the contact, which stay where they are.
-    pub(crate) fn has_corners(&self) -> bool {
-        self.is_flat() || self.is_joined()
-    }
-
-    /// Whether the bodies may pull.
-    pub(crate) fn is_joined(&self) -> bool {
-        matches!(self, Self::Joined(_))
     }
 
     /// Whether terms of the pressure under the punch of this number fall slowly, but for what a sharp tip makes.

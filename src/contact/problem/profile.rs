@@ -139,7 +139,7 @@ impl<'a> PunchProfile<'a> {
         // powers are not smooth at the tip
         starts.push(tip);
         let height = |x: f64| self.height_above_lowest(x - tip) + angle * (x - tip);
-        window.of_profile(self.twin == Twin::Round, height, &starts)[0]
+        window.of_profile(self.twin == Twin::Round, height, &starts)
     }
 
     /// Slope at x (in units of L), per unit of P'.

@@ -114,10 +114,9 @@ pub(crate) fn half_lengths(problem: &Problem) -> Vec<f64> {
     half_lengths
 }
 
-/// The half-length under an even punch, or of a contact that is joined; `None` for others.
+/// The half-length under an even punch; `None` for others.
 fn half_length(problem: &Problem, contact: usize) -> Option<f64> {
     match &problem.sides[contact] {
-        Side::Joined(half_length) => Some(*half_length),
         Side::Profile(profile) if contact == 0 => problem
             .prescribed_end()
             .or_else(|| Some(profile.flat().unwrap_or_else(|| under_punch(problem.kernel, profile, Kernel::closed)))),
