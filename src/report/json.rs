@@ -26,6 +26,8 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
         let approach = json!({
             "approach": of_each(k).map(|found| found.value),
             "approach_error": of_each(k).map(|found| found.error),
+            "stiffness": of_each(k).and_then(|found| found.stiffness.value()),
+            "stiffness_error": of_each(k).and_then(|found| found.stiffness.error()),
         });
         joined([approach, json!(carried)])
     };
@@ -101,7 +103,7 @@ fn closed(own: &ClosedInterface) -> Value {
 fn approach(found: &Result<Approach, ApproachError>) -> Value {
     let note = match found {
         Ok(Approach { stiffness: Stiffness::NotComputed, .. }) => {
-            Some("the stiffness is not computed for these contacts".to_owned())
+            Some("the equations for the stiffness could not be solved".to_owned())
         }
         Ok(_) => None,
         Err(reason) => Some(reason.to_string()),

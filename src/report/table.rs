@@ -39,22 +39,22 @@ pub(super) fn write(report: &Report, out: &mut dyn io::Write) -> io::Result<()> 
     let of_stiffness = if scene.geometry.is_axisymmetric() { Dimension::FORCE_PER_LENGTH } else { Dimension::STRESS };
     let Words { along, distance, .. } = scene.geometry.words();
     let approach = |k: usize| approaches.get(k).and_then(|found| found.as_ref().ok());
-    let sunk = |found: &Approach| format!("approach {}{length}, ", digits.with_error(found.value, found.error));
+    let sunk = |found: &Approach| {
+        let stiffness = match found.stiffness {
+            Stiffness::Known { value, error } => {
+                format!("stiffness {}{}", digits.with_error(value, error), report.unit(of_stiffness))
+            }
+            Stiffness::NotComputed => "stiffness not found".to_owned(),
+        };
+        format!("approach {}{length}, {stiffness}", digits.with_error(found.value, found.error))
+    };
     match (solution.punches(), approach(0)) {
-        ([], Some(approach)) => {
-            let stiffness = match approach.stiffness {
-                Stiffness::Known { value, error } => {
-                    format!("stiffness {}{}", digits.with_error(value, error), report.unit(of_stiffness))
-                }
-                Stiffness::NotComputed => "stiffness not computed for these contacts".to_owned(),
-            };
-            writeln!(out, "{}{stiffness}", sunk(approach))?;
-        }
+        ([], Some(approach)) => writeln!(out, "{}", sunk(approach))?,
         (punches, _) => {
             let force_unit = report.unit(Dimension::FORCE);
             for (k, Carried { tilt, moment, .. }) in punches.iter().enumerate() {
                 let name = if punches.len() == 1 { "punch".to_owned() } else { format!("punch {}", k + 1) };
-                let sunk = approach(k).map_or_else(String::new, sunk);
+                let sunk = approach(k).map_or_else(String::new, |found| format!("{}, ", sunk(found)));
                 let [tilt, moment] = [tilt, moment].map(|number| to_digits(*number, 6));
                 writeln!(out, "{name}: {sunk}tilt {tilt}, moment about the tip {moment}{force_unit}")?;
             }
