@@ -134,9 +134,7 @@ pub(super) fn converge(
     let negligible = least.max(1e-3 * enough);
     let mut laid_out: Option<(Layout, Vec<f64>)> = None;
     // a pressure that is not smooth is not known on other intervals
-    let is_smooth = support.0.iter().all(|ContactInterval { contact, punch, .. }| {
-        !problem.sides[*contact].is_kinked(*punch) && problem.tip(*contact, *punch).is_none()
-    });
+    let is_smooth = support.0.iter().all(|interval| problem.is_smooth(interval.contact, interval.punch));
     // so it does not follow the last steps, and changes more than these
     let enough = if is_smooth { enough } else { ROUNDING.max(0.1 * enough) };
     let mut newton = Newton::new(before, counts, enough);

@@ -13,6 +13,7 @@ use crate::contact::intervals::of_openings;
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::System;
 use crate::contact::problem::{Prescribed, Problem};
+use crate::numeric::means::FELT;
 use crate::solution::{Contact, Solution};
 
 /// How far a punch has sunk, and dP/dδ while the forces on others stay as they are; errors are due to missing terms.
@@ -44,7 +45,11 @@ pub(in crate::contact) fn sinking(problem: Problem, solution: &Solution) -> Opti
     let punches = problem.groups(0).len();
     let problem =
         Problem { prescribed: (0..punches).map(|punch| (punch, Prescribed::Depth(0.0))).collect(), ..problem };
-    let (support, counts) = intervals_of(&problem, solution)?;
+    let (support, mut counts) = intervals_of(&problem, solution)?;
+    // means take a part of many terms of a pressure that is not smooth
+    let rough =
+        support.0.iter().zip(&mut counts).filter(|(interval, _)| !problem.is_smooth(interval.contact, interval.punch));
+    rough.for_each(|(_, count)| *count = (*count).max(2 * FELT));
     let negligible = negligible(problem.tolerance);
     let lengths = Lengths::of(&problem, &support, &counts, negligible);
     let layout = Layout::new(problem.kernel, &lengths, negligible, 0.0)?;

@@ -271,6 +271,11 @@ impl<'a> Problem<'a> {
         }
     }
 
+    /// Whether the terms of a pressure under the punch of this number fall fast.
+    pub(crate) fn is_smooth(&self, contact: usize, punch: usize) -> bool {
+        !self.sides[contact].is_kinked(punch) && self.tip(contact, punch).is_none()
+    }
+
     /// Where the corner of the punch of this number is on a side, 1 for the right one and −1 for the left one, if the punch is flat.
     pub(crate) fn corner(&self, contact: usize, punch: usize, side: f64) -> Option<f64> {
         match &self.sides[contact] {
