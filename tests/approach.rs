@@ -1,5 +1,5 @@
 //! How far a punch sinks, and the stiffness.
-use recede::{Approach, ApproachError, Force, Model, Options, Scene, Stiffness};
+use recede::{Approach, ApproachError, Force, Model, Options, Scene};
 
 fn scene(punch: &str, force: f64, stack: &str) -> Scene {
     Scene::from_ron(&format!("Scene(geometry: PlaneStrain, {punch}, force: {force}, stack: [{stack}])")).unwrap()
@@ -183,7 +183,9 @@ fn the_approach_is_that_of_the_lowest_point() {
     let double = scene("punch: Polynomial(half_width: 1, heights: [-0.002, 0.001])", 1e-6, layer);
     let found = approach(&double);
     assert!(found.value > 0.0 && found.value < 1e-5, "{found:?}");
-    assert_eq!(found.stiffness, Stiffness::NotComputed);
+    let [more, less] = [1.0, -1.0].map(|sign| approach(&double.with("force", 1e-6 + sign * 1e-9).unwrap()).value);
+    let slope = (more - less) / 2e-9;
+    assert!((found.stiffness.value().unwrap() * slope - 1.0).abs() < 1e-6, "{found:?} {slope}");
     let model = Model::new(double.stack().unwrap()).unwrap();
     let solution = model.press(&double.top, double.force).unwrap();
     assert_eq!(solution.contacts()[0].intervals().len(), 2);
@@ -281,4 +283,73 @@ fn openings_do_not_stop_the_approach() {
     let critical = found[0].2.unwrap();
     let [(below, closed, _), (above, open, _)] = [1.0 - 1e-5, 1.0 + 1e-5].map(|part| sunk(1e-6, part * critical));
     assert!(!closed && open && above > below && above / below - 1.0 < 3e-5, "{below} {above}");
+}
+
+/// Punches beside each other, turned or not: over layers that recede, over layers that weights keep closed, and over such layers where these come apart.
+const BESIDE: [&str; 3] = [
+    "(shape: Parabola(radius: 100), at: -0.8, force: 0.004), (shape: Flat(half_width: 0.3), at: 0.7, force: 0.003, tilt: Free(eccentricity: 0.02))],
+     stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
+     Homogeneous(thickness: 0.7, shear_modulus: 2, poisson: 0.3), Bonded, Rigid])",
+    "(shape: Cylinder(radius: 100), at: -1, force: 1e-5), (shape: Parabola(radius: 50), at: 1, force: 2e-5)],
+     stack: [Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding, Rigid])",
+    "(shape: Cylinder(radius: 100), at: -1, force: 1e-4), (shape: Parabola(radius: 50), at: 1, force: 2e-4, tilt: Fixed(1e-4))],
+     stack: [Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding,
+     Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding, Rigid])",
+];
+
+#[test]
+fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
+    for (number, text) in BESIDE.iter().enumerate() {
+        let scene = Scene::from_ron(&format!("Scene(geometry: PlaneStrain, punches: [{text}")).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solve = |scene: &Scene| model.press(&scene.top, scene.force).unwrap();
+        let all = |scene: &Scene| -> Vec<Approach> {
+            model.approaches(&scene.top, &solve(scene)).into_iter().map(Result::unwrap).collect()
+        };
+        let (solution, found) = (solve(&scene), all(&scene));
+        let is_open = solution.closed().iter().any(|own| !own.openings.is_empty());
+        assert_eq!(is_open, number == 2);
+        let field = model.field(&solution).unwrap();
+        let mut by_others = Vec::new();
+        for (punch, (pressed, force)) in scene.top.punches().unwrap().parts().enumerate() {
+            let own = found[punch];
+            let step = 1e-4 * force;
+            let with = |sign: f64| all(&scene.with(&format!("punches[{punch}].force"), force + sign * step).unwrap());
+            let (more, less) = (with(1.0), with(-1.0));
+            let slope = |k: usize| (more[k].value - less[k].value) / (2.0 * step);
+            assert!((own.stiffness.value().unwrap() * slope(punch) - 1.0).abs() < 1e-5, "{own:?} {punch} {text}");
+            by_others.push(slope(1 - punch));
+            let (contact, carried) = (&solution.contacts()[0], solution.punches()[punch]);
+            let one = contact.intervals()[punch];
+            for part in [0.2, 0.5, 0.7] {
+                let x = one.left + part * (one.right - one.left);
+                let from_tip = x - pressed.at();
+                let height = pressed.shape().profile(from_tip) + carried.tilt * from_tip;
+                let v = field.at(x, 0.0).unwrap().v;
+                assert!((height - own.value - v).abs() < 1e-8 * own.value, "{x} {v} {own:?} {text}");
+            }
+        }
+        // a force on one punch moves the other one as far as the same force there moves this one
+        assert!((by_others[0] / by_others[1] - 1.0).abs() < 1e-4, "{by_others:?} {text}");
+    }
+}
+
+/// Layers that come apart under a punch that sinks as far as prescribed.
+#[test]
+fn a_depth_leads_back_to_the_force_where_layers_come_apart() {
+    for text in
+        ["punch: Parabola(radius: 1000), force: 2e-4", "punch: RoundedFlat(half_width: 0.3, radius: 200), force: 3e-4"]
+    {
+        let stack =
+            "Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding, Rigid";
+        let scene = Scene::from_ron(&format!("Scene(geometry: PlaneStrain, {text}, stack: [{stack}])")).unwrap();
+        let (model, expected) = (Model::new(scene.stack().unwrap()).unwrap(), recede::solve(&scene).unwrap());
+        assert!(!expected.closed()[0].openings.is_empty());
+        let depth = model.approach(&scene.top, &expected).unwrap().value;
+        let found = model.press(&scene.top, Force::ForDepth(depth)).unwrap();
+        assert!((found.force() / expected.force() - 1.0).abs() < 1e-9, "{} {text}", found.force());
+        assert!(found.force_error() < 1e-8 * found.force());
+        let [found, expected] = [&found, &expected].map(|solution| &solution.closed()[0].openings[0]);
+        assert!((found.left / expected.left - 1.0).abs() < 1e-9);
+    }
 }
