@@ -314,7 +314,8 @@ fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
         for (punch, (pressed, force)) in scene.top.punches().unwrap().parts().enumerate() {
             let own = found[punch];
             let step = 1e-4 * force;
-            let with = |sign: f64| all(&scene.with(&format!("punches[{punch}].force"), force + sign * step).unwrap());
+            let with =
+                |sign: f64| all(&scene.with(&format!("punches[{}].force", punch + 1), force + sign * step).unwrap());
             let (more, less) = (with(1.0), with(-1.0));
             let slope = |k: usize| (more[k].value - less[k].value) / (2.0 * step);
             assert!((own.stiffness.value().unwrap() * slope(punch) - 1.0).abs() < 1e-5, "{own:?} {punch} {text}");
