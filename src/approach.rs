@@ -4,17 +4,23 @@
 //! is defined where displacements can be counted from a base that stays: δ over a half-plane grows without limit with the distance of
 //! the point from which it is counted. In axisymmetric problems displacements vanish far away, and it is defined over any base.
 //!
-//! Both follow from the contact equations on the intervals of the solution. The stiffness is dP/dδ, while the forces on other punches stay as they are.
+//! Both follow from the contact equations on the intervals of the solution. The stiffness is dP/dδ, while the forces on other punches stay as they are. Where these equations were not
+//! solved, as for solutions of low accuracy, δ is what the displacements of the top face say.
+use std::f64::consts::PI;
+
 use crate::contact::{self, Asked, Sinking};
-use crate::field::FieldError;
-use crate::scene::{Punch, Punches, Top};
-use crate::solution::{Contact, Solution};
+use crate::field::{DISPLACEMENTS, Field, FieldError, FieldPoint};
+use crate::numeric::largest;
+use crate::scene::{Pressed, Punch, Punches, Top};
+use crate::solution::{Contact, Interval, Solution};
 use crate::stack::Stack;
 
 /// What is left of pressures and ends, as parts of these, changes an approach and a stiffness by no larger parts.
 const SAFETY: f64 = 3.0;
 /// Relative error of a sum over wavenumbers.
 const ROUNDING: f64 = 1e-12;
+/// Places in a contact at which a punch and the top face are compared.
+const PLACES: usize = 8;
 
 /// How far a punch has sunk into a stack since it touched it first, and the stiffness there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,10 +80,7 @@ pub enum ApproachError {
         "the approach is prescribed or asked for of one punch that is symmetric about its tip; several have one each"
     )]
     Punches,
-    /// The contact equations on the intervals of the solution take too long, or have no solution in double precision.
-    #[error("the approach was not found: the contact equations on the intervals of the solution could not be solved")]
-    NotFound,
-    /// The solution is one of another stack.
+    /// The solution is one of another stack, or the displacement of the top face cannot be computed.
     #[error(transparent)]
     Field(#[from] FieldError),
 }
@@ -116,13 +119,36 @@ pub(crate) fn defined<'a>(top: &'a Top, stack: &Stack) -> Result<&'a Punch, Appr
 
 /// The approach of each punch, from left to right; one entry that says why where there are none.
 pub(crate) fn of_each(asked: &Asked, stack: &Stack, solution: &Solution) -> Vec<Result<Approach, ApproachError>> {
-    if let Err(error) = punches(asked.top, stack) {
-        return vec![Err(error)];
-    }
+    let punches = match punches(asked.top, stack) {
+        Ok(punches) => punches,
+        Err(error) => return vec![Err(error)],
+    };
     match contact::sinking(asked, solution) {
         Some(all) => all.into_iter().map(|sinking| Ok(of_one(sinking, solution))).collect(),
-        None => vec![Err(ApproachError::NotFound)],
+        None => {
+            (0..).zip(punches.parts()).map(|(number, (pressed, _))| of_face(number, pressed, stack, solution)).collect()
+        }
     }
+}
+
+/// How far a punch has sunk by the displacements of the top face in its contact, which differ from those of the punch by what the solution is wrong by.
+fn of_face(number: usize, pressed: &Pressed, stack: &Stack, solution: &Solution) -> Result<Approach, ApproachError> {
+    let each = solution.contacts()[0].of_each_punch();
+    let Interval { left, right, .. } = each[number].innermost();
+    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+    let place = |k: usize| middle + half * (PI * (k as f64 + 0.5) / PLACES as f64).cos();
+    let places: Vec<f64> = (0..PLACES).map(place).collect();
+    let faces = Field::new(stack, solution).faces(&places, &DISPLACEMENTS)?;
+    let (shape, tilt) = (pressed.shape().shape(), solution.punches().get(number).map_or(0.0, |own| own.tilt));
+    let sunk = |(x, point): (&f64, &FieldPoint)| {
+        let from_tip = x - pressed.at();
+        shape.height(from_tip) + tilt * from_tip - shape.lowest() - point.v
+    };
+    let sunk: Vec<f64> = places.iter().zip(&faces[0].points).map(sunk).collect();
+    let value = sunk.iter().sum::<f64>() / PLACES as f64;
+    let spread = largest(sunk.iter().map(|own| (own - value).abs()));
+    let error = SAFETY * (spread + (ROUNDING + relative_error(solution)) * value.abs());
+    Ok(Approach { value, error, stiffness: Stiffness::NotComputed })
 }
 
 /// How far the tip of a punch has moved down since the punch, not turned, touched the top face with its lowest point, and the stiffness.

@@ -321,7 +321,7 @@ impl Model {
     /// # Errors
     /// [`ApproachError::HalfPlane`], [`ApproachError::ElasticPunch`] or [`ApproachError::Load`] where no approach is defined; [`ApproachError::Punches`] for
     /// several punches;
-    /// [`ApproachError::NotFound`] if the contact equations could not be solved; [`ApproachError::Field`] if the solution is one of another stack.
+    /// [`ApproachError::Field`] if the solution is one of another stack, or the displacement cannot be computed.
     pub fn approach(&self, top: impl Into<Top>, solution: &Solution) -> Result<Approach, ApproachError> {
         let top = &top.into();
         approach::defined(top, self.solved())?;
