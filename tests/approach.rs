@@ -311,8 +311,9 @@ fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
         assert_eq!(is_open, number == 2);
         let field = model.field(&solution).unwrap();
         let mut by_others = Vec::new();
-        for (punch, (pressed, force)) in scene.top.punches().unwrap().parts().enumerate() {
+        for (punch, (pressed, _)) in scene.top.punches().unwrap().parts().enumerate() {
             let own = found[punch];
+            let force = pressed.pressed_by().given().unwrap();
             let step = 1e-4 * force;
             let with =
                 |sign: f64| all(&scene.with(&format!("punches[{}].force", punch + 1), force + sign * step).unwrap());
