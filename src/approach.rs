@@ -131,7 +131,7 @@ pub(crate) fn of_each(asked: &Asked, stack: &Stack, solution: &Solution) -> Vec<
     }
 }
 
-/// How far a punch has sunk by the displacements of the top face in its contact, which differ from those of the punch by what the solution is wrong by.
+/// How far a punch has sunk by the displacements of the top face in its contact, which differ from the displacement of the punch by errors of the solution.
 fn of_face(number: usize, pressed: &Pressed, stack: &Stack, solution: &Solution) -> Result<Approach, ApproachError> {
     let each = solution.contacts()[0].of_each_punch();
     let Interval { left, right, .. } = each[number].innermost();
