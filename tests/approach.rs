@@ -287,7 +287,7 @@ fn openings_do_not_stop_the_approach() {
 
 /// Punches beside each other, turned or not: over layers that recede, over layers that weights keep closed, and over such layers where these come apart.
 const BESIDE: [&str; 3] = [
-    "(shape: Parabola(radius: 100), at: -0.8, force: 0.004), (shape: Flat(half_width: 0.3), at: 0.7, force: 0.003, tilt: Free(eccentricity: 0.02))],
+    "(shape: Parabola(radius: 100), at: -0.8, force: 0.004), (shape: Flat(half_width: 0.3), at: 0.7, force: 0.003, tilt: Free(eccentricity: 0.0))],
      stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
      Homogeneous(thickness: 0.7, shear_modulus: 2, poisson: 0.3), Bonded, Rigid])",
     "(shape: Cylinder(radius: 100), at: -1, force: 1e-5), (shape: Parabola(radius: 50), at: 1, force: 2e-5)],
@@ -331,7 +331,7 @@ fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
                 assert!((height - own.value - v).abs() < 1e-8 * own.value, "{x} {v} {own:?} {text}");
             }
         }
-        // a force on one punch moves the other one as far as the same force there moves this one
+        // a force on the tip of one punch moves the other one as far as the same force there moves this one
         assert!((by_others[0] / by_others[1] - 1.0).abs() < 1e-4, "{by_others:?} {text}");
     }
 }
