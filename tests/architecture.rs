@@ -50,7 +50,7 @@ const MAY_IMPORT: [(&str, &[&str]); 23] = [
 ];
 
 /// The rooms of the contact solver, in the order in which an answer goes through them: each imports those before it only.
-const ROOMS: [&str; 11] = [
+const ROOMS: [&str; 10] = [
     "error",
     "problem",
     "answer",
@@ -58,7 +58,6 @@ const ROOMS: [&str; 11] = [
     "programme",
     "intervals",
     "starts",
-    "tangent",
     "thin",
     "prescribed",
     "interpolation",

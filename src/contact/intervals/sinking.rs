@@ -41,7 +41,7 @@ pub(super) fn intervals_of(problem: &Problem, solution: &Solution) -> Option<(In
 }
 
 /// How far each punch has sunk, in the units of the scene; `None` where the equations on these intervals take too long, or have no solution in double precision.
-pub(in crate::contact) fn sinking(problem: Problem, solution: &Solution) -> Option<Vec<Sinking>> {
+pub(crate) fn sinking(problem: Problem, solution: &Solution) -> Option<Vec<Sinking>> {
     let punches = problem.groups(0).len();
     let problem =
         Problem { prescribed: (0..punches).map(|punch| (punch, Prescribed::Depth(0.0))).collect(), ..problem };
