@@ -4,8 +4,8 @@
 //! is defined where displacements can be counted from a base that stays: δ over a half-plane grows without limit with the distance of
 //! the point from which it is counted. In axisymmetric problems displacements vanish far away, and it is defined over any base.
 //!
-//! Both follow from the contact equations on the intervals of the solution. The stiffness is dP/dδ, while the forces on other punches stay as they are. For solutions of low accuracy, and
-//! where layers that weights press together come apart, δ is what the displacements of the top face say.
+//! Both follow from the contact equations on the intervals of the solution. The stiffness is dP/dδ, while the forces on other punches stay as they are. Where these equations were not
+//! solved, as for solutions of low accuracy, δ is what the displacements of the top face say.
 use std::f64::consts::PI;
 
 use crate::contact::{self, Asked, Sinking};
@@ -123,9 +123,7 @@ pub(crate) fn of_each(asked: &Asked, stack: &Stack, solution: &Solution) -> Vec<
         Ok(punches) => punches,
         Err(error) => return vec![Err(error)],
     };
-    let is_open = solution.closed().iter().any(|own| !own.openings.is_empty());
-    let found = if is_open { None } else { contact::sinking(asked, solution) };
-    match found {
+    match contact::sinking(asked, solution) {
         Some(all) => all.into_iter().map(|sinking| Ok(of_one(sinking, solution))).collect(),
         None => {
             (0..).zip(punches.parts()).map(|(number, (pressed, _))| of_face(number, pressed, stack, solution)).collect()

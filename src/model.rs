@@ -348,8 +348,15 @@ impl Model {
         if let Err(error) = self.check_owns(solution) {
             return vec![Err(error.into())];
         }
-        let top = top.into();
-        approach::of_each(&self.asked(&top, &Options::default()), self.stack_of(solution), solution)
+        let (top, interfaces) = (top.into(), self.stack.contacts());
+        let asked = self.asked(&top, &Options::default());
+        let weights = self.closed.as_ref().filter(|_| self.check_closed(solution).is_err());
+        match weights {
+            Some((_, weights)) => {
+                approach::of_each(&Self::with_weights(&asked, weights, &interfaces), self.solved(), solution)
+            }
+            None => approach::of_each(&asked, self.solved(), solution),
+        }
     }
 }
 

@@ -285,18 +285,21 @@ fn openings_do_not_stop_the_approach() {
     assert!(!closed && open && above > below && above / below - 1.0 < 3e-5, "{below} {above}");
 }
 
-/// Punches beside each other, turned or not: over layers that recede, and over layers that weights keep closed.
-const BESIDE: [&str; 2] = [
+/// Punches beside each other, turned or not: over layers that recede, over layers that weights keep closed, and over such layers where these come apart.
+const BESIDE: [&str; 3] = [
     "(shape: Parabola(radius: 100), at: -0.8, force: 0.004), (shape: Flat(half_width: 0.3), at: 0.7, force: 0.003, tilt: Free(eccentricity: 0.0))],
      stack: [Homogeneous(thickness: 1, shear_modulus: 1, poisson: 0.25), Receding,
      Homogeneous(thickness: 0.7, shear_modulus: 2, poisson: 0.3), Bonded, Rigid])",
     "(shape: Cylinder(radius: 100), at: -1, force: 1e-5), (shape: Parabola(radius: 50), at: 1, force: 2e-5)],
      stack: [Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding, Rigid])",
+    "(shape: Cylinder(radius: 100), at: -1, force: 1e-4), (shape: Parabola(radius: 50), at: 1, force: 2e-4, tilt: Fixed(1e-4))],
+     stack: [Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding,
+     Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding, Rigid])",
 ];
 
 #[test]
 fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
-    for text in BESIDE {
+    for (number, text) in BESIDE.iter().enumerate() {
         let scene = Scene::from_ron(&format!("Scene(geometry: PlaneStrain, punches: [{text}")).unwrap();
         let model = Model::new(scene.stack().unwrap()).unwrap();
         let solve = |scene: &Scene| model.press(&scene.top, scene.force).unwrap();
@@ -304,6 +307,8 @@ fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
             model.approaches(&scene.top, &solve(scene)).into_iter().map(Result::unwrap).collect()
         };
         let (solution, found) = (solve(&scene), all(&scene));
+        let is_open = solution.closed().iter().any(|own| !own.openings.is_empty());
+        assert_eq!(is_open, number == 2);
         let field = model.field(&solution).unwrap();
         let mut by_others = Vec::new();
         for (punch, (pressed, _)) in scene.top.punches().unwrap().parts().enumerate() {
@@ -328,5 +333,25 @@ fn each_punch_has_a_stiffness_and_sinks_as_far_as_the_top_face_says() {
         }
         // a force on the tip of one punch moves the other one as far as the same force there moves this one
         assert!((by_others[0] / by_others[1] - 1.0).abs() < 1e-4, "{by_others:?} {text}");
+    }
+}
+
+/// Layers that come apart under a punch that sinks as far as prescribed.
+#[test]
+fn a_depth_leads_back_to_the_force_where_layers_come_apart() {
+    for text in
+        ["punch: Parabola(radius: 1000), force: 2e-4", "punch: RoundedFlat(half_width: 0.3, radius: 200), force: 3e-4"]
+    {
+        let stack =
+            "Homogeneous(thickness: 1, shear_modulus: 0.75, poisson: 0.25, specific_weight: 1e-6), Receding, Rigid";
+        let scene = Scene::from_ron(&format!("Scene(geometry: PlaneStrain, {text}, stack: [{stack}])")).unwrap();
+        let (model, expected) = (Model::new(scene.stack().unwrap()).unwrap(), recede::solve(&scene).unwrap());
+        assert!(!expected.closed()[0].openings.is_empty());
+        let depth = model.approach(&scene.top, &expected).unwrap().value;
+        let found = model.press(&scene.top, Force::ForDepth(depth)).unwrap();
+        assert!((found.force() / expected.force() - 1.0).abs() < 1e-9, "{} {text}", found.force());
+        assert!(found.force_error() < 1e-8 * found.force());
+        let [found, expected] = [&found, &expected].map(|solution| &solution.closed()[0].openings[0]);
+        assert!((found.left / expected.left - 1.0).abs() < 1e-9);
     }
 }

@@ -52,11 +52,6 @@ pub enum ContactError {
         "a punch presses on layers with a dent that weights press flat: what that does to the face under the punch is not told"
     )]
     DentUnderPunch,
-    /// A depth of a punch where layers that weights press together come apart.
-    #[error(
-        "`depth`: layers that weights press together come apart, and the force is not found there for which the punch sinks so far"
-    )]
-    DepthWithOpenings,
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -80,7 +75,6 @@ impl ContactError {
     pub fn is_input(&self) -> bool {
         match self {
             Self::NotCollocated
-            | Self::DepthWithOpenings
             | Self::DentUnderPunch
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
@@ -112,7 +106,6 @@ impl ContactError {
             Self::NoForce => Some("give a force > 0, or leave out the punch and give all layers a `specific_weight`".to_owned()),
             Self::NotSuperposed { .. } => Some("bond the layers, or let one load press about the axis: `load: ...`".to_owned()),
             Self::DentUnderPunch => Some("give the pressure of the punch as `load` or `loads`".to_owned()),
-            Self::DepthWithOpenings => Some("give the force, or `half_length`, `left` or `right`".to_owned()),
             Self::NotUnderCover => Some("take `Scene::stack`, or add them by `Stack::under`".to_owned()),
             Self::UnevenPunch => Some(
                 "write it as one of `punches: [(shape: ..., at: ..., force: ...), ...]`, with `force`, `depth`, `left` or `right`"

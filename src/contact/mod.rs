@@ -84,9 +84,6 @@ pub(crate) fn open(
     let drive = Drive::new(asked.top, &own, force)?;
     let asked = &Asked { top: &top, ..*asked };
     let problem = drive.of(asked.problem(&own, closed.force()));
-    if problem.prescribed.iter().any(|(_, prescribed)| prescribed.depth().is_some()) {
-        return Err(ContactError::DepthWithOpenings);
-    }
     let to_unit = |contact: &Contact| contact.clone().scaled(own.length().recip(), 1.0).moved(-problem.origin);
     let contacts: Vec<Contact> = closed.contacts.iter().map(to_unit).collect();
     let of_unit = |(contact, ends): &(usize, [f64; 2])| (*contact, ends.map(|x| x / own.length() - problem.origin));
