@@ -44,6 +44,11 @@ impl Components {
         2 * self.contacts + self.pairs()
     }
 
+    /// Whether the response of a contact is a part of the last component: of an opening that is a pressure.
+    pub(super) fn is_squeezed(self, contact: usize) -> bool {
+        contact == 0 || self.kind == Kind::Contacts
+    }
+
     /// The power of ζ that makes a component finite at ζ = 0: long waves bend free laminates, λC ~ λ⁻³, or λC ~ λ⁻¹ under equal loads, but not laminates that lie on each other.
     pub(super) fn power(self, component: usize) -> i32 {
         match component / self.contacts {

@@ -301,7 +301,10 @@ impl Values {
         let (equal, rest) = self.values.split_at_mut(contacts * count);
         for (k, asymptotic) in asymptotic.enumerate() {
             let value = asymptotic + order.shared(i).map(|pair| rest[pair * count + k]).sum::<f64>();
-            rest[self.pairs * count + k] += value - std::mem::replace(&mut equal[i * count + k], value);
+            let before = std::mem::replace(&mut equal[i * count + k], value);
+            if order.is_squeezed(i) {
+                rest[self.pairs * count + k] += value - before;
+            }
         }
     }
 
