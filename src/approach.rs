@@ -12,7 +12,7 @@ use crate::contact::{self, Asked, Sinking};
 use crate::field::{DISPLACEMENTS, Field, FieldError, FieldPoint};
 use crate::numeric::largest;
 use crate::scene::{Pressed, Punch, Punches, Top};
-use crate::solution::{Contact, Interval, Solution};
+use crate::solution::{Contact, Interface, Interval, Solution};
 use crate::stack::Stack;
 
 /// What is left of pressures and ends, as parts of these, changes an approach and a stiffness by no larger parts.
@@ -138,11 +138,13 @@ fn of_face(number: usize, pressed: &Pressed, stack: &Stack, solution: &Solution)
     let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
     let place = |k: usize| middle + half * (PI * (k as f64 + 0.5) / PLACES as f64).cos();
     let places: Vec<f64> = (0..PLACES).map(place).collect();
-    let faces = Field::new(stack, solution).faces(&places, &DISPLACEMENTS)?;
+    let field = Field::new(stack, solution);
+    let faces = field.faces(&places, &DISPLACEMENTS)?;
     let (shape, tilt) = (pressed.shape().shape(), solution.punches().get(number).map_or(0.0, |own| own.tilt));
     let sunk = |(x, point): (&f64, &FieldPoint)| {
         let from_tip = x - pressed.at();
-        shape.height(from_tip) + tilt * from_tip - shape.lowest() - point.v
+        let curved = field.gaps.height(Interface::Punch, *x);
+        shape.height(from_tip) + tilt * from_tip - shape.lowest() + curved - point.v
     };
     let sunk: Vec<f64> = places.iter().zip(&faces[0].points).map(sunk).collect();
     let value = sunk.iter().sum::<f64>() / PLACES as f64;

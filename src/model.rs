@@ -198,6 +198,7 @@ impl Model {
             gaps: &self.gaps.0,
             weights: &[],
             by_dents: &[],
+            hollow: self.closed.as_ref().and_then(|(_, weights)| weights.hollow.as_ref()),
             tolerance: options.tolerance,
         }
     }

@@ -155,6 +155,7 @@ pub(crate) fn heights(
                 if is_there { punch.profile(inside) } else { f64::INFINITY }
             };
             let height = |k: usize| profile(x[k] - pressed.at()) + flattened.as_ref().map_or(0.0, |all| all[k]);
+            let height = |k: usize| height(k) + field.gaps.height(interface, x[k]);
             (0..x.len()).map(|k| height(k) - v(faces.first(), k)).collect()
         }
         Interface::Between { above, below } => {

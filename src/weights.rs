@@ -50,6 +50,8 @@ pub(crate) struct Weights {
     /// The interfaces with a dent, by their numbers from 1, and what dents that are pressed flat do to the pressure on each interface; none if there are no dents.
     dents: Vec<(usize, Dent)>,
     pub(crate) by_dents: Vec<Waves>,
+    /// How far dents that are pressed flat lower the face below the contact above.
+    pub(crate) hollow: Option<Waves>,
 }
 
 impl Weights {
@@ -64,10 +66,13 @@ impl Weights {
             |(number, (interface, _)): (usize, &(Interface, f64))| Some((number + 1, stack.gaps().dent(*interface)?));
         let dents: Vec<(usize, Dent)> = interfaces.iter().enumerate().filter_map(dent).collect();
         let kernel = Kernel::of_openings(&stack.pressed())?;
-        let own = Self { kernel, interfaces, above, dents, by_dents: Vec::new() };
-        let pressed = if own.dents.is_empty() { 0 } else { own.interfaces.len() };
-        let by_dents = (1..=pressed).map(|i| own.with_dents(i, Waves::default(), 0.0, 2.0 * own.farthest())).collect();
-        Ok(Some(Self { by_dents, ..own }))
+        let own = Self { kernel, interfaces, above, dents, by_dents: Vec::new(), hollow: None };
+        if own.dents.is_empty() {
+            return Ok(Some(own));
+        }
+        let of = |i: usize| own.with_dents(i, Waves::default(), 0.0, 2.0 * own.farthest());
+        let (hollow, by_dents) = (Some(of(0)), (1..=own.interfaces.len()).map(of).collect());
+        Ok(Some(Self { by_dents, hollow, ..own }))
     }
 
     /// Whether there is a dent.
@@ -203,12 +208,13 @@ impl Weights {
         Waves { wavenumbers: zeta, amplitudes: [even, odd], is_even, is_round }
     }
 
-    /// Waves about a middle on interface i with what dents that are pressed flat add: to take away the slope of a gap g makes the pressure μ₀M ĝ', with ĝ' = −λĝ.
+    /// Waves about a middle on interface i with what dents that are pressed flat add: to take away the slope of a gap g makes the pressure μ₀M ĝ', with ĝ' = −λĝ, and lowers the face
+    /// of contact 0 by t ĝ.
     fn with_dents(&self, i: usize, mut waves: Waves, middle: f64, reach: f64) -> Waves {
         let (kernel, length) = (&self.kernel, self.kernel.length());
         for (number, dent) in &self.dents {
             let pair = kernel.neighbours(i).find(|(other, _)| other == number).map(|(_, pair)| pair);
-            let pressure = |zeta: f64| match pair {
+            let response = |zeta: f64| match pair {
                 Some(pair) => kernel.coupling(pair, zeta),
                 None => kernel.asymptote(i).limit + kernel.remainder(i, zeta),
             };
@@ -224,8 +230,8 @@ impl Weights {
                 let at = |k: usize| from + (to - from) * k as f64 / parts as f64;
                 for (zeta, weight) in (0..parts).flat_map(|k| rule(needed.div_ceil(parts)).on(at(k), at(k + 1))) {
                     let wave = zeta / length;
-                    let amplitude =
-                        -kernel.modulus() / PI * pressure(zeta) * wave * dent.transform(wave) * weight / length;
+                    let of_gap = if i == 0 { 1.0 } else { -kernel.modulus() * wave };
+                    let amplitude = of_gap / PI * response(zeta) * dent.transform(wave) * weight / length;
                     let (sin, cos) = (wave * middle).sin_cos();
                     waves.wavenumbers.push(wave);
                     waves.amplitudes[0].push(amplitude * cos);

@@ -282,3 +282,85 @@ fn a_residual_stress_above_all_stresses_of_the_load_is_the_largest() {
         assert_eq!(largest.x.abs() > 2.0, is_far, "{largest:?} {residual} {below}");
     }
 }
+
+/// A laminate that is bent before it is loaded is pressed by a punch like a flat one by a punch that is curved as much less.
+#[test]
+fn a_punch_sees_the_face_of_a_laminate_that_is_bent() {
+    for (geometry, punch, force) in [("PlaneStrain", "Parabola", 1e-4), ("Axisymmetric", "Paraboloid", 3e-5)] {
+        let solved = |punch: &str, strain: f64, gap: &str| {
+            let layer = "Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25";
+            solve(&scene_of(
+                geometry,
+                &format!("punch: {punch}, force: {force:?}"),
+                &format!("{layer}), Bonded, {layer}, eigenstrain: {strain:?}), Receding{gap}, {GROUND}"),
+            ))
+        };
+        let stretched = if geometry == "PlaneStrain" { 1.25 } else { 1.0 };
+        let curvature = bimetal([0.5, 0.5], [1.0, 1.0], stretched * 5e-4);
+        for (of_punch, of_same) in [(1e-3, 1e-3 - curvature), (2e-3, 2e-3 - curvature)] {
+            let round = |curvature: f64| format!("{punch}(radius: {:?})", 1.0 / curvature);
+            let bent = solved(&round(of_punch), 5e-4, "");
+            let flat = solved(&round(of_same), 0.0, &format!("(gap: {})", round(curvature)));
+            for (bent, flat) in bent.contacts().iter().zip(flat.contacts()) {
+                let [one, other] = [bent, flat].map(|contact| contact.half_length().unwrap());
+                assert!((one / other - 1.0).abs() < 1e-10, "{geometry} {one} {other}");
+                let [one, other] = [bent, flat].map(|contact| contact.central_pressure);
+                assert!((one / other - 1.0).abs() < 1e-9, "{geometry} {one} {other}");
+            }
+        }
+        // a circle is not a parabola, and the face under a punch that ends rises to its end
+        let circle = if geometry == "PlaneStrain" { "Cylinder(radius: 900)" } else { "Sphere(radius: 900)" };
+        let near = solved(circle, 5e-4, "").contacts()[0].half_length().unwrap();
+        let parabola = solved(&format!("{punch}(radius: 900)"), 5e-4, "").contacts()[0].half_length().unwrap();
+        assert!((near / parabola - 1.0).abs() < 1e-4, "{near} {parabola}");
+    }
+    let flat = scene_of(
+        "PlaneStrain",
+        "punch: Parabola(radius: 2000), force: 1e-4",
+        "Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25), Bonded,
+        Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25, eigenstrain: 5e-4), Receding, Rigid",
+    );
+    let error = recede::solve(&flat).unwrap_err().to_string();
+    assert!(error.contains("rises to the punch far away"), "{error}");
+}
+
+/// Where weights press a parabolic gap flat all layers above are bent: they are stressed, and a punch sees the bent face.
+#[test]
+fn layers_are_bent_over_parabolic_gaps_that_are_pressed_flat() {
+    let layers = |gaps: [&str; 2], first: &str| {
+        format!(
+            "Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25{first}), Receding{},
+            Homogeneous(thickness: 0.5, shear_modulus: 1.5, poisson: 0.25, specific_weight: 0.1), Receding{}, {GROUND}",
+            gaps[0], gaps[1]
+        )
+    };
+    let of = |radius: f64, layers: &str| {
+        let top = format!("punch: Parabola(radius: {radius:?}), force: 1e-4");
+        solve(&scene_of("PlaneStrain", &top, layers))
+    };
+    let heavy = ", specific_weight: 0.1";
+    let bent = of(200.0, &layers(["", "(gap: Parabola(radius: 1000))"], heavy));
+    let flat = of(1.0 / (1.0 / 200.0 + 1e-3), &layers(["", ""], heavy));
+    let [one, other] = [&bent, &flat].map(|own| own.contacts()[0].half_length().unwrap());
+    assert!((one / other - 1.0).abs() < 1e-10, "{one} {other}");
+    // a loose layer above lies on a base that is bent
+    let bent = of(200.0, &layers(["", "(gap: Parabola(radius: 1000))"], ""));
+    let gap = of(200.0, &layers(["(gap: Parabola(radius: 1000))", ""], ""));
+    for (bent, gap) in bent.contacts().iter().zip(gap.contacts()) {
+        let [one, other] = [bent, gap].map(|own| own.half_length().unwrap());
+        assert!((one / other - 1.0).abs() < 1e-10, "{one} {other}");
+    }
+    // far away σ_xx = w κ (d − h/2) besides what weights make
+    let stress = |gaps: [&str; 2], layer: usize, depth: f64| {
+        let scene = scene_of("PlaneStrain", "load: Line, force: 1e-4", &layers(gaps, heavy));
+        far(&scene, layer, &[depth])[0].sigma_xx
+    };
+    let gaps = ["(gap: Parabola(radius: 500))", "(gap: Parabola(radius: 1000))"];
+    for (layer, depth, from_middle, stiffness, curvature) in
+        [(1, 0.1, -0.4, 2.0, 3e-3), (1, 0.9, 0.4, 2.0, 3e-3), (2, 1.1, -0.15, 4.0, 1e-3)]
+    {
+        let (bent, flat) = (stress(gaps, layer, depth), stress(["", ""], layer, depth));
+        let expected = -stiffness * curvature * from_middle;
+        assert!((bent - flat - expected).abs() < 1e-7 * expected.abs(), "{layer} {depth} {bent} {flat} {expected}");
+    }
+}

@@ -47,11 +47,16 @@ pub enum ContactError {
         /// The angle by which it is turned, in radians.
         angle: f64,
     },
-    /// A punch on layers with a dent that weights press flat, which bends the face under it.
+    /// A punch on a face whose edges bend up more than the punch does.
     #[error(
-        "a punch presses on layers with a dent that weights press flat: what that does to the face under the punch is not told"
+        "the face under {punch} is curved before it is loaded: its slope grows by {curvature:e} per length, so that it rises to the punch far away, without end"
     )]
-    DentUnderPunch,
+    FaceRises {
+        /// The punch as it is written in a scene.
+        punch: String,
+        /// The curvature of the face, in 1/length.
+        curvature: f64,
+    },
     /// The layers' fields cannot be computed.
     #[error(transparent)]
     Unresolved(#[from] Unresolved),
@@ -75,7 +80,7 @@ impl ContactError {
     pub fn is_input(&self) -> bool {
         match self {
             Self::NotCollocated
-            | Self::DentUnderPunch
+            | Self::FaceRises { .. }
             | Self::LoadControlled(_)
             | Self::LoadsUnknown { .. }
             | Self::NotSuperposed { .. }
@@ -105,7 +110,7 @@ impl ContactError {
             ),
             Self::NoForce => Some("give a force > 0, or leave out the punch and give all layers a `specific_weight`".to_owned()),
             Self::NotSuperposed { .. } => Some("bond the layers, or let one load press about the axis: `load: ...`".to_owned()),
-            Self::DentUnderPunch => Some("give the pressure of the punch as `load` or `loads`".to_owned()),
+            Self::FaceRises { .. } => Some("take a punch that ends, or one that is curved more, or give its pressure as `load`".to_owned()),
             Self::NotUnderCover => Some("take `Scene::stack`, or add them by `Stack::under`".to_owned()),
             Self::UnevenPunch => Some(
                 "write it as one of `punches: [(shape: ..., at: ..., force: ...), ...]`, with `force`, `depth`, `left` or `right`"

@@ -43,8 +43,9 @@ pub(crate) struct Asked<'a> {
     pub(crate) gaps: &'a [(Interface, Gap)],
     /// The pressures of weights and on top that keep interfaces closed but for openings.
     pub(crate) weights: &'a [(Interface, f64)],
-    /// What dents that are pressed flat do to these.
+    /// What dents that are pressed flat do to these, and how far they lower the face above.
     pub(crate) by_dents: &'a [Waves],
+    pub(crate) hollow: Option<&'a Waves>,
     /// Relative error wanted.
     pub(crate) tolerance: f64,
 }
@@ -118,13 +119,18 @@ impl Asked<'_> {
     pub(crate) fn is_solvable(&self) -> Result<(), ContactError> {
         let geometry = self.kernel.geometry();
         match self.top {
-            Top::Punches(punches) => match punches.parts().find(|(pressed, _)| pressed.falls()) {
-                Some((pressed, _)) => {
-                    let (punch, angle) = (pressed.shape().label(geometry), pressed.tilt().angle().unwrap_or_default());
-                    Err(ContactError::PunchFalls { punch, angle })
-                }
-                None => Ok(()),
-            },
+            Top::Punches(punches) => {
+                let on_top = self.gaps.iter().find(|(interface, _)| *interface == Interface::Punch);
+                let curvature = on_top.map_or(0.0, |(_, gap)| gap.curvature);
+                let Some((pressed, _)) = punches.parts().find(|(pressed, _)| pressed.falls(curvature)) else {
+                    return Ok(());
+                };
+                let (punch, angle) = (pressed.shape().label(geometry), pressed.tilt().angle().unwrap_or_default());
+                Err(match pressed.falls(0.0) {
+                    true => ContactError::PunchFalls { punch, angle },
+                    false => ContactError::FaceRises { punch, curvature: -curvature },
+                })
+            }
             Top::Loads(loads) if !loads.are_known_in(geometry) => {
                 Err(ContactError::LoadsUnknown { loads: loads.to_string(), geometry })
             }
@@ -171,11 +177,13 @@ impl Asked<'_> {
 
     /// The problem on its kernel with a force in the units of the scene.
     pub(crate) fn problem<'b>(&'b self, kernel: &'b Kernel, force: f64) -> Problem<'b> {
+        let loaded = (self.top, self.gaps, self.hollow);
         match kernel.has_openings() {
             true => {
-                Problem::opened(kernel, self.interfaces, self.top, (self.weights, self.by_dents), force, self.tolerance)
+                let pressed = (self.weights, self.by_dents);
+                Problem::opened(kernel, self.interfaces, loaded, pressed, force, self.tolerance)
             }
-            false => Problem::new(kernel, self.interfaces, (self.top, self.gaps), force, self.tolerance),
+            false => Problem::new(kernel, self.interfaces, loaded, force, self.tolerance),
         }
     }
 }
@@ -208,7 +216,7 @@ mod tests {
                 let top = &expected.contacts[0];
                 let given = Given::of(top.innermost().right / kernel.length(), &top.strips[0].coefficients);
                 let mut problem =
-                    Problem::new(&kernel, &interfaces, (&punch, &[]), force, Options::default().tolerance);
+                    Problem::new(&kernel, &interfaces, (&punch, &[], None), force, Options::default().tolerance);
                 problem.sides[0] = Side::Known(given);
                 let found = solve(&problem).unwrap().into_solution(&problem, force, None);
                 for (found, expected) in found.contacts[1..].iter().zip(&expected.contacts[1..]) {

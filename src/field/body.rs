@@ -122,7 +122,7 @@ pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
     let mut layers: Vec<PlacedLayer> = Vec::new();
     let (mut top, residual) = (0.0, stack.residual());
     for (body, group) in stack.groups().enumerate() {
-        for (place, Placed { number, layer }) in group.layers().enumerate() {
+        for (place, Placed { number, layer, .. }) in group.layers().enumerate() {
             let (number, layer, thickness) = (*number, layer.clone(), layer.thickness());
             let slowest = slowest_decay(&*layer, thickness.unwrap_or(0.0), stack.plane());
             let residual = residual.as_ref().map(|residual| residual.layers[layers.len()]);

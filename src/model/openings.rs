@@ -23,9 +23,6 @@ impl Model {
         solution: Solution,
     ) -> Result<Solution, Error> {
         let Some((_, weights)) = &self.closed else { return Ok(solution) };
-        if weights.has_dents() && top.punches().is_some() {
-            return Err(ContactError::DentUnderPunch.into());
-        }
         let (closed, tensile) = weights.under(&solution);
         let Some((number, _)) = tensile else { return Ok(Solution { closed, ..solution }) };
         if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
@@ -113,6 +110,6 @@ impl Model {
     /// The same question where interfaces are closed but for openings.
     pub(super) fn with_weights<'a>(asked: &Asked<'a>, weights: &'a Weights, interfaces: &'a [Interface]) -> Asked<'a> {
         let (kernel, by_dents) = (&weights.kernel, &weights.by_dents[..]);
-        Asked { kernel, interfaces, weights: &weights.interfaces, by_dents, gaps: &[], ..*asked }
+        Asked { kernel, interfaces, weights: &weights.interfaces, by_dents, ..*asked }
     }
 }

@@ -1,4 +1,6 @@
 //! Sums of waves, and places where these are flat.
+use std::f64::consts::PI;
+
 use super::{bessel, trigonometry};
 
 /// Steps by false position to a place of a least value at most, which take some ten.
@@ -38,6 +40,24 @@ impl Waves {
             slope += wave * (odd[k] * cosines[k] - even[k] * sines[k]);
         }
         [value, slope]
+    }
+
+    /// ∫ f' cos kφ dφ over 0 < φ < π of the slope f' at x = middle + half cos φ, for the k below a number: π i^k J_k(λ half) of a wave exp(iλx). Not about an axis.
+    pub(crate) fn slope_tests(&self, middle: f64, half: f64, count: usize) -> Vec<f64> {
+        let phases: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * middle).collect();
+        let arguments: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * half).collect();
+        let [sines, cosines, _] = trigonometry::waves(&phases);
+        let mut table = vec![0.0; count * phases.len()];
+        bessel::table(count, &arguments, &mut table);
+        let [even, odd] = &self.amplitudes;
+        let of_order = |(k, values): (usize, &[f64])| {
+            let wave = |(n, value): (usize, &f64)| {
+                let (cos, sin) = (even[n] * cosines[n] + odd[n] * sines[n], even[n] * sines[n] - odd[n] * cosines[n]);
+                PI * self.wavenumbers[n] * value * [-sin, -cos, sin, cos][k % 4]
+            };
+            values.iter().enumerate().map(wave).sum()
+        };
+        table.chunks(phases.len().max(1)).enumerate().map(of_order).collect()
     }
 
     /// Where the slope vanishes between two places at which it is known, before the second of which the value rises: by false position, in which an end that stays counts for half

@@ -262,6 +262,9 @@ impl<'a> Drawing<'a> {
         };
         for (found, y) in self.section.contacts_at(&numbers).into_iter().zip(&self.heights) {
             let Some(Contact { interface, .. }) = found.map(|i| &self.section.contacts[i]) else { continue };
+            if *interface == Interface::Punch {
+                continue;
+            }
             draw(&|x| gaps.height(*interface, x), *y, "gap");
         }
         for (face, y) in self.heights.iter().enumerate() {

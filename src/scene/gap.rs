@@ -11,6 +11,9 @@ pub(crate) struct Gap {
 }
 
 impl Gap {
+    /// Bodies that fit together.
+    pub(crate) const NONE: Self = Self { punch: None, curvature: 0.0 };
+
     /// Both together.
     pub(crate) fn shape(&self) -> Shape<'_> {
         let punch = self.punch.as_ref().map(Punch::shape);

@@ -163,11 +163,12 @@ impl Pressed {
         self.prescribed.unwrap_or(Force::Given(self.force()))
     }
 
-    /// Whether it is turned so far that one of its sides falls from the tip on, without end.
-    pub(crate) fn falls(&self) -> bool {
+    /// Whether one of its sides falls from the tip on, without end, over a face on which the slope of the gap grows by a curvature times x more.
+    pub(crate) fn falls(&self, curvature: f64) -> bool {
         let (shape, angle) = (self.shape.shape(), self.tilt.angle().unwrap_or(0.0));
         let [left, right] = shape.ends();
-        right.is_infinite() && shape.slope(FAR) + angle <= 0.0 || left.is_infinite() && shape.slope(-FAR) + angle >= 0.0
+        let slope = |x: f64| shape.slope(x) + curvature * x + angle;
+        right.is_infinite() && slope(FAR) <= 0.0 || left.is_infinite() && slope(-FAR) >= 0.0
     }
 
     /// Whether it turns.

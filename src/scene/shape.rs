@@ -275,12 +275,15 @@ impl Shape<'_> {
         }
     }
 
-    /// Whether the profile is analytic, also at its tip.
-    /// Whether it is a parabola, or flat all along.
-    pub(crate) fn is_parabola(&self) -> bool {
-        matches!(self, Self::Powers { terms, .. } if terms.iter().all(|(exponent, _)| *exponent == 2.0))
+    /// By how much its slope grows with x, in 1/length, if it is a parabola, or flat all along.
+    pub(crate) fn even_curvature(&self) -> Option<f64> {
+        let Self::Powers { length, terms, .. } = self else { return None };
+        let of =
+            |(exponent, coefficient): &(f64, f64)| (*exponent == 2.0).then_some(2.0 * coefficient / (length * length));
+        terms.iter().map(of).sum()
     }
 
+    /// Whether the profile is analytic, also at its tip.
     pub(crate) fn is_smooth(&self) -> bool {
         match self {
             Self::Powers { terms, .. } => terms.iter().all(|(exponent, _)| exponent % 2.0 == 0.0),

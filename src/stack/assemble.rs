@@ -10,6 +10,7 @@ use super::{Base, Foundation, Joint, Laminate, MAX_LAYERS, MAX_RECEDING, Placed,
 
 use crate::geometry::Geometry;
 use crate::scene::{Item, Punch};
+use crate::solution::Interface;
 
 /// A group of joined layers and the interfaces below it.
 #[derive(Debug, Default)]
@@ -112,7 +113,7 @@ impl Stack {
                     foundation = Some(Foundation::Support { number, support: Arc::clone(support) });
                 }
                 Item::Layer(layer) => {
-                    let placed = Placed { number, layer: Arc::clone(layer) };
+                    let placed = Placed { number, layer: Arc::clone(layer), pressed_to: 0.0 };
                     match layer.thickness() {
                         None => foundation = Some(Foundation::HalfPlane(placed)),
                         Some(found) if !(found >= 0.0 && found.is_finite()) => {
@@ -150,8 +151,9 @@ fn finish(
     if laminates.len() > MAX_RECEDING {
         return Err(StackError::whole(StackProblem::TooManyReceding(laminates.len())));
     }
-    let stack =
+    let mut stack =
         Stack { geometry, pressure_on_top, laminates, base: Base { joined, foundation }, dropped, second: None };
+    stack.press_flat();
     if !stack.total_thickness().is_finite() {
         return Err(StackError::whole(StackProblem::TooThick));
     }
@@ -164,9 +166,13 @@ fn finish(
         if pressed.contains(&interface) {
             // what is curved evenly is pressed flat, and dents are while nothing comes apart
             let is_dent = gap.dent().is_some() && !stack.geometry().is_axisymmetric();
-            if !is_dent && gap.punch.as_ref().is_some_and(|gap| !gap.shape().is_parabola()) {
+            if !is_dent && gap.punch.as_ref().is_some_and(|gap| gap.shape().even_curvature().is_none()) {
                 return Err(StackError::whole(StackProblem::GapUnderWeight { interface }));
             }
+            continue;
+        }
+        // a punch may be curved more
+        if interface == Interface::Punch {
             continue;
         }
         let gap = (gap.is_unknown() || gap.shape().falls()).then_some(gap);

@@ -37,9 +37,9 @@ impl Gaps {
         gap.dent().map(|[depth, half_width]| Dent { depth, half_width })
     }
 
-    /// The dents alone, of what is pressed together.
+    /// The dents alone, of what is pressed together, and the curvature of the top face.
     pub(crate) fn dents(self) -> Self {
-        Self(self.0.into_iter().filter(|(_, gap)| gap.dent().is_some()).collect())
+        Self(self.0.into_iter().filter(|(own, gap)| *own == Interface::Punch || gap.dent().is_some()).collect())
     }
 
     /// How far the bodies of a contact were apart at a place, in length, more than where they were nearest: 0 where there was no gap, infinite beyond its ends.

@@ -74,6 +74,8 @@ pub struct Placed {
     pub number: usize,
     /// The layer.
     pub layer: Arc<dyn Layer>,
+    /// By how much the slope of the layer grows with x, in 1/length, once parabolic gaps below it are pressed flat.
+    pub(crate) pressed_to: f64,
 }
 
 impl Placed {
@@ -295,13 +297,14 @@ impl Stack {
         [Interface::Punch].into_iter().chain(receding).collect()
     }
 
-    /// The gaps at contacts before anything is loaded.
+    /// The gaps at contacts before anything is loaded, and how the top face is curved then.
     pub(crate) fn gaps(&self) -> Gaps {
         let curvatures = self.residual().map_or_else(Vec::new, |residual| residual.curvatures);
         let bent = |i: usize| curvatures.get(i).copied().unwrap_or(0.0);
-        let gaps = self.laminates.iter().enumerate();
-        let gaps = gaps.map(|(i, above)| Gap { punch: above.gap.clone(), curvature: bent(i) - bent(i + 1) });
-        let all = self.contacts().into_iter().skip(1).zip(gaps);
+        let below = self.laminates.iter().enumerate();
+        let below = below.map(|(i, above)| Gap { punch: above.gap.clone(), curvature: bent(i) - bent(i + 1) });
+        let gaps = std::iter::once(Gap { punch: None, curvature: -bent(0) }).chain(below);
+        let all = self.contacts().into_iter().zip(gaps);
         Gaps(all.filter(|(_, gap)| gap.punch.is_some() || gap.curvature != 0.0).collect())
     }
 

@@ -49,7 +49,7 @@ impl Stack {
         }
         let (mut residual, mut pressure) = (Residual::default(), self.pressure_on_top);
         for (i, group) in self.groups().enumerate() {
-            // what weights press together stays flat, and what is joined to the base is not stretched
+            // what weights press together is as flat as the gaps below, and what is joined to the base is not stretched
             let [bends, is_free] = [i < self.loose(), i < self.laminates.len()];
             residual.curvatures.push(residual_of(
                 &group,
@@ -63,7 +63,7 @@ impl Stack {
     }
 }
 
-/// Adds the strains of the layers of a body under a pressure, which grows by their weights, and returns its curvature.
+/// Adds the strains of the layers of a body under a pressure, which grows by their weights, and returns the curvature of its upper face.
 fn residual_of(
     group: &Group,
     [bends, is_free]: [bool; 2],
@@ -72,12 +72,12 @@ fn residual_of(
     strains: &mut Vec<ResidualStrain>,
 ) -> f64 {
     // layers that do not slide on each other
-    let mut parts: Vec<(Moments, usize)> = vec![Default::default()];
+    let mut parts: Vec<(Moments, usize, f64)> = vec![Default::default()];
     let (mut top, mut tops) = (0.0, Vec::new());
     let mut joints = group.joints().iter();
     for placed in group.layers() {
-        if let Some((moments, count)) = parts.last_mut() {
-            *count += 1;
+        if let Some((moments, count, pressed_to)) = parts.last_mut() {
+            (*count, *pressed_to) = (*count + 1, placed.pressed_to);
             moments.add(&*placed.layer, top, *pressure, geometry);
         }
         tops.push((top, *pressure));
@@ -89,11 +89,19 @@ fn residual_of(
     }
     let largest = group.layers().map(|placed| placed.layer.eigenstrain().abs()).fold(0.0, f64::max);
     let [moment, rigidity] =
-        parts.iter().map(|(moments, _)| moments.bending()).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
-    let curvature = if bends && (moment / rigidity * top).abs() > ROUNDING * largest { moment / rigidity } else { 0.0 };
+        parts.iter().map(|(moments, ..)| moments.bending()).fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+    let is_bent = (moment / rigidity * top).abs() > ROUNDING * largest;
     let count = parts.len();
     let mut tops = tops.into_iter();
-    for (k, (Moments { stiffness: [whole, first, _], free: [resultant, _] }, layers)) in parts.into_iter().enumerate() {
+    let mut curvatures = Vec::with_capacity(count);
+    for (k, (moments, layers, pressed_to)) in parts.into_iter().enumerate() {
+        let Moments { stiffness: [whole, first, _], free: [resultant, _] } = moments;
+        let curvature = match bends {
+            true if is_bent => moment / rigidity,
+            true => 0.0,
+            false => pressed_to,
+        };
+        curvatures.push(curvature);
         // what is bonded to the base is not stretched
         let (mean, about) = if !is_free && k + 1 == count { (0.0, 0.0) } else { (resultant / whole, first / whole) };
         let of = |(top, pressure): (f64, f64)| ResidualStrain {
@@ -102,7 +110,7 @@ fn residual_of(
         };
         strains.extend(tops.by_ref().take(layers).map(of));
     }
-    curvature
+    curvatures.first().copied().unwrap_or(0.0)
 }
 
 /// Whether layers slide on each other at a joint.

@@ -41,6 +41,15 @@ impl Stack {
         })
     }
 
+    /// Curves the laminates above parabolic gaps that weights press flat: all of them lie on a base that stays flat.
+    pub(super) fn press_flat(&mut self) {
+        let (loose, mut curvature) = (self.loose(), 0.0);
+        for laminate in self.laminates[loose..].iter_mut().rev() {
+            curvature -= laminate.gap.as_ref().and_then(|gap| gap.shape().even_curvature()).unwrap_or(0.0);
+            laminate.layers.iter_mut().for_each(|placed| placed.pressed_to = curvature);
+        }
+    }
+
     /// The laminates that are pressed together, and the base, as a stack of their own.
     pub(crate) fn pressed(&self) -> Self {
         let laminates = self.laminates[self.loose()..].to_vec();

@@ -50,7 +50,7 @@ fn one_interval_is_what_another_solver_finds() {
             Top::from(Load::uniform(0.3).unwrap()),
         ] {
             let expected = Model::new(stack.clone()).unwrap().press_with(&top, 0.01, &options).unwrap();
-            let problem = Problem::new(&kernel, &interfaces, (&top, &[]), 0.01, options.tolerance);
+            let problem = Problem::new(&kernel, &interfaces, (&top, &[], None), 0.01, options.tolerance);
             for factor in [0.7, 1.4] {
                 let half = |contact: &Contact| contact.half_length().unwrap() / kernel.length();
                 let start = |contact: usize| {
@@ -100,7 +100,7 @@ fn random_scenes_are_solved_alike_without_symmetry() {
         }
         let kernel = Kernel::new(&stack).unwrap();
         let interfaces = stack.contacts();
-        let problem = Problem::new(&kernel, &interfaces, (&top, &[]), force, options.tolerance);
+        let problem = Problem::new(&kernel, &interfaces, (&top, &[], None), force, options.tolerance);
         let even = of_formulas(&problem, &formulas::anywhere(&problem)).unwrap();
         let whole = |interval: &ContactInterval| {
             ContactInterval::anywhere(interval.contact, 0, [-interval.half, interval.half])
@@ -142,7 +142,7 @@ fn contacts_on_both_faces_of_a_thin_layer_are_found_from_formulas() {
     let (top, force) = (Top::from(Punch::parabola(0.44).unwrap()), 3e-4);
     let expected = Model::new(stack.clone()).unwrap().press(&top, force).unwrap();
     let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
-    let problem = Problem::new(&kernel, &interfaces, (&top, &[]), force, Options::default().tolerance);
+    let problem = Problem::new(&kernel, &interfaces, (&top, &[], None), force, Options::default().tolerance);
     let start = of_formulas(&problem, &formulas::anywhere(&problem)).unwrap();
     let found = solve(&problem, start, &mut Refused::default(), &mut Work::at_most(MOST_OPERATIONS)).unwrap();
     assert!(found.warnings.is_empty(), "{:?}", found.warnings);
@@ -185,7 +185,7 @@ fn kept_equations_correct_pressures() {
         let counts = &counts[..before.0.len()];
         let stack = &stacks[usize::from(before.0[0].twin == Twin::Round)];
         let (kernel, interfaces) = (Kernel::new(stack).unwrap(), stack.contacts());
-        let problem = Problem::new(&kernel, &interfaces, (&top, &[]), 0.01, 1e-10);
+        let problem = Problem::new(&kernel, &interfaces, (&top, &[], None), 0.01, 1e-10);
         let lengths = Lengths::of(&problem, &before, counts, 1e-13);
         let layout = Layout::new(&kernel, &lengths, 1e-13, 0.0).unwrap();
         let equations = Equations::new(&problem, &layout, &before, counts);

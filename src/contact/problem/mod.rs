@@ -4,6 +4,7 @@
 pub(crate) mod abel;
 pub(crate) mod accuracy;
 pub(crate) mod closed;
+pub(crate) mod face;
 pub(crate) mod iteration;
 pub(crate) mod load;
 pub(crate) mod modes;
@@ -23,6 +24,7 @@ use crate::solution::{Controlled, Interface};
 
 use accuracy::MOST_OPERATIONS;
 use closed::ClosedPressure;
+use face::Face;
 use load::Given;
 use placed::Placed;
 use profile::PunchProfile;
@@ -38,8 +40,10 @@ pub(crate) struct Problem<'a> {
     /// Where x = 0 is in the scene, in units of L: where the force acts, if anything is not even.
     pub(crate) origin: f64,
     pub(crate) top: &'a Top,
-    /// Gaps at contacts below the uppermost one before anything is loaded.
+    /// Gaps at contacts below the uppermost one before anything is loaded, and how the face on top is curved.
     pub(crate) gaps: &'a [(Interface, Gap)],
+    /// How far dents that weights press flat lower the face above them.
+    pub(crate) hollow: Option<&'a Waves>,
     /// Whether all contacts are even.
     pub(crate) is_even: bool,
     /// P' = P/(μ₀L), or what is expected of it where something else is prescribed of the punch.
@@ -121,7 +125,7 @@ impl<'a> Problem<'a> {
     pub(crate) fn new(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        (top, gaps): (&'a Top, &'a [(Interface, Gap)]),
+        (top, gaps, hollow): (&'a Top, &'a [(Interface, Gap)], Option<&'a Waves>),
         force: f64,
         tolerance: f64,
     ) -> Self {
@@ -129,25 +133,35 @@ impl<'a> Problem<'a> {
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
         let origin = top.middle() / length;
-        let is_even = top.is_even() && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
+        // what is pressed together lies below all contacts
+        let lowest = if kernel.has_openings() { 0 } else { kernel.contacts() - 1 };
+        let hollow_below = |contact: usize| hollow.filter(|_| contact == lowest);
+        let is_hollow = hollow.is_some() && (lowest > 0 || top.punches().is_some());
+        let is_even = top.is_even()
+            && (origin == 0.0 || !is_hollow)
+            && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
+        let gap_at =
+            |contact: usize| gaps.iter().find(|(own, _)| interfaces.get(contact) == Some(own)).map(|own| &own.1);
+        let curvature = gap_at(0).map_or(0.0, |gap| gap.curvature);
+        let face = Face { curvature, hollow: hollow_below(0), from: 0.0 };
         let side = match top {
             Top::Loads(loads) => Side::Known(Given::new(loads, origin, length, twin)),
             Top::Punches(punches) => match top.even_punch().filter(|_| is_even) {
-                Some(punch) => Side::Profile(PunchProfile::new(punch, length, force, twin)),
-                None => Side::Punches(Placed::all(punches, origin, length, force)),
+                Some(punch) => Side::Profile(PunchProfile::new(punch, length, force, twin).over(face)),
+                None => Side::Punches(Placed::all(punches, face, origin, length, force)),
             },
         };
         // a gap is to the layer above what a punch is to the stack
         let below = (1..kernel.contacts()).map(|contact| {
-            let own = gaps.iter().find(|(interface, _)| interfaces.get(contact) == Some(interface));
-            match own {
+            let face = Face { hollow: hollow_below(contact), ..Face::default() };
+            match gap_at(contact).or(face.hollow.map(|_| &Gap::NONE)) {
                 None if kernel.has_openings() => {
                     let by_dents = None;
                     Side::Openings(ClosedPressure { weight: 0.0, by_dents, length, unit: 1.0, origin })
                 }
                 None => Side::Closed,
-                Some((_, gap)) if is_even => Side::Profile(PunchProfile::gap(gap, length, force, twin)),
-                Some((_, gap)) => Side::Punches(vec![Placed::gap(gap, origin, length, force)]),
+                Some(gap) if is_even => Side::Profile(PunchProfile::gap(gap, length, force, twin).over(face)),
+                Some(gap) => Side::Punches(vec![Placed::gap(gap, face, origin, length, force)]),
             }
         });
         let sides = std::iter::once(side).chain(below).collect();
@@ -160,19 +174,19 @@ impl<'a> Problem<'a> {
             })
         };
         let (prescribed, operations) = (all.filter_map(of).collect(), MOST_OPERATIONS);
-        Self { kernel, interfaces, sides, origin, top, gaps, is_even, force, prescribed, tolerance, operations }
+        Self { kernel, interfaces, sides, origin, top, gaps, hollow, is_even, force, prescribed, tolerance, operations }
     }
 
     /// The same on a kernel of openings, with the pressures of weights and on top that keep the layers together, and of dents that these press flat, in the unit of the scene.
     pub(crate) fn opened(
         kernel: &'a Kernel,
         interfaces: &'a [Interface],
-        top: &'a Top,
+        loaded: (&'a Top, &'a [(Interface, Gap)], Option<&'a Waves>),
         (weights, by_dents): (&[(Interface, f64)], &'a [Waves]),
         force: f64,
         tolerance: f64,
     ) -> Self {
-        let mut problem = Self::new(kernel, interfaces, (top, &[]), force, tolerance);
+        let mut problem = Self::new(kernel, interfaces, loaded, force, tolerance);
         let unit = kernel.modulus() * problem.force;
         let below = problem.sides.iter_mut().skip(1);
         let (length, origin) = (kernel.length(), problem.origin);
@@ -192,7 +206,7 @@ impl<'a> Problem<'a> {
     {
         Problem {
             prescribed: self.prescribed.clone(),
-            ..Problem::new(kernel, interfaces, (self.top, self.gaps), self.total_force(), tolerance)
+            ..Problem::new(kernel, interfaces, (self.top, self.gaps, self.hollow), self.total_force(), tolerance)
         }
     }
 

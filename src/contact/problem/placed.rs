@@ -1,6 +1,7 @@
 //! A punch anywhere on the top face, one of those whose contacts are not even.
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::Group;
+use crate::contact::problem::face::Face;
 use crate::contact::problem::profile::{NEARLY, PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
@@ -23,9 +24,10 @@ pub(crate) struct Placed<'a> {
 
 impl<'a> Placed<'a> {
     /// All punches, with x = 0 at this place in units of L, pressed with P' together.
-    pub(crate) fn all(punches: &'a Punches, origin: f64, length: f64, force: f64) -> Vec<Self> {
+    pub(crate) fn all(punches: &'a Punches, face: Face<'a>, origin: f64, length: f64, force: f64) -> Vec<Self> {
         let of = |(pressed, share): (&'a Pressed, f64)| Self {
-            profile: PunchProfile::new(pressed.shape(), length, force, Twin::Plane),
+            profile: PunchProfile::new(pressed.shape(), length, force, Twin::Plane)
+                .over(Face { from: pressed.at(), ..face }),
             at: pressed.at() / length - origin,
             share,
             tilt: pressed.tilt(),
@@ -36,8 +38,8 @@ impl<'a> Placed<'a> {
     }
 
     /// A gap between layers about x = 0 in the scene.
-    pub(crate) fn gap(gap: &'a Gap, origin: f64, length: f64, force: f64) -> Self {
-        let profile = PunchProfile::gap(gap, length, force, Twin::Plane);
+    pub(crate) fn gap(gap: &'a Gap, face: Face<'a>, origin: f64, length: f64, force: f64) -> Self {
+        let profile = PunchProfile::gap(gap, length, force, Twin::Plane).over(face);
         Self { profile, at: -origin, share: 1.0, tilt: Tilt::None, length, force }
     }
 

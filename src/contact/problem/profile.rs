@@ -1,6 +1,7 @@
 //! The punch as the contact equations see it, per unit of P': its slope and height, and the pressure that is as singular as it is.
 
 use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::problem::face::Face;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Gap, Punch, Shape};
@@ -43,17 +44,24 @@ pub(crate) struct PunchProfile<'a> {
     /// P'.
     pub(super) force: f64,
     pub(super) twin: Twin,
+    /// What the face below adds.
+    pub(super) face: Face<'a>,
 }
 
 impl<'a> PunchProfile<'a> {
     /// A punch in units of L, pressed with P'.
     pub(crate) fn new(punch: &'a Punch, length: f64, force: f64, twin: Twin) -> Self {
-        Self { punch: Some(punch), shape: punch.shape(), length, force, twin }
+        Self { punch: Some(punch), shape: punch.shape(), length, force, twin, face: Face::default() }
     }
 
     /// A gap between layers in units of L, per unit of P'.
     pub(crate) fn gap(gap: &'a Gap, length: f64, force: f64, twin: Twin) -> Self {
-        Self { punch: gap.punch.as_ref(), shape: gap.shape(), length, force, twin }
+        Self { punch: gap.punch.as_ref(), shape: gap.shape(), length, force, twin, face: Face::default() }
+    }
+
+    /// The same over a face that is not flat.
+    pub(crate) fn over(self, face: Face<'a>) -> Self {
+        Self { face, ..self }
     }
 
     /// The same punch, pressed with another force.
@@ -125,7 +133,8 @@ impl<'a> PunchProfile<'a> {
 
     /// Height above the apex at x (both in units of L), per unit of P'.
     pub(crate) fn height(&self, x: f64) -> f64 {
-        self.shape.height(x * self.length) / (self.length * self.force)
+        let x = x * self.length;
+        (self.shape.height(x) + self.face.at(x)[0]) / (self.length * self.force)
     }
 
     /// Height above the lowest point at x (in units of L), per unit of P'.
@@ -144,13 +153,14 @@ impl<'a> PunchProfile<'a> {
 
     /// Slope at x (in units of L), per unit of P'.
     pub(crate) fn slope(&self, x: f64) -> f64 {
-        self.shape.slope(x * self.length) / self.force
+        let x = x * self.length;
+        (self.shape.slope(x) + self.face.at(x)[1]) / self.force
     }
 
     /// ∫ f'(as) s/√(1 − s²) ds / P'.
     pub(crate) fn first_row(&self, half_length: f64) -> f64 {
         // of an uneven profile the even part counts
-        match self.shape.is_even() {
+        match self.shape.is_even() && self.face.from == 0.0 {
             true => self.rows(Span::even(half_length), 1)[0],
             false => self.rows(Span::anywhere(0.0, half_length), 2)[1],
         }

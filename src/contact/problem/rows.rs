@@ -8,7 +8,7 @@ use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::contact::problem::accuracy::ROUNDING;
-use crate::contact::problem::modes::order;
+use crate::contact::problem::modes::{alternating, order};
 use crate::contact::problem::pieces;
 use crate::contact::problem::profile::{PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
@@ -120,17 +120,35 @@ impl PunchProfile<'_> {
                 slopes.add(span.step, count, &self.between(span, &self.not_smooth(span), phase));
             }
         }
+        if !self.face.is_flat() {
+            self.add_face(&mut slopes, span);
+        }
         slopes.rows
+    }
+
+    /// Adds the face below.
+    fn add_face(&self, slopes: &mut Slopes, span: Span) {
+        let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
+        if self.twin == Twin::Round {
+            return slopes.add_power(1.0, self.face.curvature * half / self.force * self.twin.of_power(2.0));
+        }
+        let first = span.step - 1;
+        let tests = self.face.tests(middle, half, first + span.step * slopes.rows.len());
+        for (m, row) in slopes.rows.iter_mut().enumerate() {
+            let sign = if span.step == 2 { alternating(m) } else { 1.0 };
+            *row += sign * tests[first + span.step * m] / self.force;
+        }
     }
 
     /// ∫ f'(a cos θ)/cos θ ... from 0 to π/2, over P': the sum of all odd rows.
     pub(crate) fn apex(&self, half_length: f64) -> f64 {
+        let of_face = self.face.apex(half_length * self.length) / self.force;
         if matches!(self.shape, Shape::Powers { .. }) {
             let sum = |(power, slope): (f64, f64)| {
                 let moment = slope * self.twin.moment(power + 1.0) * (power + 1.0 + 2.0 * self.twin.shift) / power;
                 if slope == 0.0 { 0.0 } else { moment }
             };
-            return self.powers(half_length).map(sum).sum();
+            return of_face + self.powers(half_length).map(sum).sum::<f64>();
         }
         // cell by cell to where the profile begins to be smooth: slopes farther in are nothing
         let (span, own) = (Span::even(half_length), half_length * self.length);
@@ -138,7 +156,7 @@ impl PunchProfile<'_> {
         let octaves = limits.first().map_or(0.0, |first| (own / first).log2()).min(-2.0 * ROUNDING.log2());
         limits.extend(halves(own).take(1 + octaves as usize));
         limits.sort_by(f64::total_cmp);
-        self.between(span, &limits, 0.0).iter().map(|(theta, value)| 0.5 * value / theta.cos()).sum()
+        of_face + self.between(span, &limits, 0.0).iter().map(|(theta, value)| 0.5 * value / theta.cos()).sum::<f64>()
     }
 
     /// Where the profile is not smooth inside an interval, from left to right, in the unit of the scene; powers go to the tip cell by cell.
@@ -212,7 +230,11 @@ impl PunchProfile<'_> {
 
     /// Height above the apex at x (both in units of L), per unit of P', and about an axis A(x).
     pub(crate) fn tested_height(&self, x: f64) -> f64 {
-        if self.twin == Twin::Round { x * self.abel(x)[0] } else { self.height(x) }
+        if self.twin == Twin::Plane {
+            return self.height(x);
+        }
+        let of_face = 0.5 * self.face.curvature * x * self.length / self.force * self.twin.of_power(2.0);
+        x * (self.abel(x)[0] + of_face)
     }
 
     /// The powers of |x| that the slope consists of, and what is tested of each at x = a, over P'; none of other profiles.

@@ -37,8 +37,13 @@ fn each_solved(
     for (number, scene, stack, solution) in solved.take(count) {
         let kernel = Kernel::new(&stack).unwrap();
         let interfaces = stack.contacts();
-        let problem =
-            Problem::new(&kernel, &interfaces, (&scene.top, &[]), scene.force.given().unwrap(), options.tolerance);
+        let problem = Problem::new(
+            &kernel,
+            &interfaces,
+            (&scene.top, &[], None),
+            scene.force.given().unwrap(),
+            options.tolerance,
+        );
         let expected = formulas::anywhere(&problem);
         look(number, &problem, &expected, &solution);
     }
@@ -100,7 +105,7 @@ fn corners_tips_and_given_loads_are_known_as_well() {
             }
             let interfaces = stack.contacts();
             let problem =
-                Problem::new(&kernel, &interfaces, (punch, &[]), scene.force.given().unwrap(), options.tolerance);
+                Problem::new(&kernel, &interfaces, (punch, &[], None), scene.force.given().unwrap(), options.tolerance);
             let expected = formulas::anywhere(&problem);
             let Some(coarse) = answer(&problem, &expected, 0.0) else {
                 // nothing is unknown
@@ -134,7 +139,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         let geometry = if number < 6 { Geometry::PlaneStrain } else { Geometry::Axisymmetric };
         let scene = drawn(geometry, 8, number);
         let kernel = Kernel::new(&scene.stack().unwrap()).unwrap();
-        let problem = Problem::new(&kernel, &[], (&scene.top, &[]), scene.force.given().unwrap(), 1e-10);
+        let problem = Problem::new(&kernel, &[], (&scene.top, &[], None), scene.force.given().unwrap(), 1e-10);
         let patch = if geometry.is_axisymmetric() { Patch::Ring } else { Patch::Pair };
         let grid = Grid::new(vec![[0.0, 0.5]], [0.0, 20.0], &[], patch).unwrap();
         let energy = Energy::new(&Compliances::new(&problem, &[]), &grid).unwrap();
@@ -170,8 +175,13 @@ fn where_nothing_is_even_it_is_as_good_as_it_says() {
         let stack = scene.stack().unwrap();
         let fine = Model::new(stack.clone()).unwrap().press_with(&scene.top, scene.force, &options).unwrap();
         let (kernel, interfaces) = (Kernel::new(&stack).unwrap(), stack.contacts());
-        let problem =
-            Problem::new(&kernel, &interfaces, (&scene.top, &[]), scene.force.given().unwrap(), options.tolerance);
+        let problem = Problem::new(
+            &kernel,
+            &interfaces,
+            (&scene.top, &[], None),
+            scene.force.given().unwrap(),
+            options.tolerance,
+        );
         let coarse = answer(&problem, &formulas::anywhere(&problem), 0.0).unwrap();
         let coarse = coarse.into_solution(&problem, problem.total_force(), None);
         for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {

@@ -57,7 +57,7 @@ pub(crate) fn length(kernel: &Kernel, (top, gaps): (&Top, &[(Interface, Gap)]), 
     }
     let length = match top {
         Top::Loads(loads) => loads.reach(),
-        Top::Punches(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], (top, gaps), force, 0.0))[0],
+        Top::Punches(_) => kernel.length() * half_lengths(&Problem::new(kernel, &[], (top, gaps, None), force, 0.0))[0],
     };
     (length.is_normal() && length > 0.0).then_some(length)
 }
