@@ -175,8 +175,8 @@ fn a_punch_touches_the_face_that_a_dent_lowers() {
             "depth: 2e-3, half_width: 1.5",
             "punches: [(shape: Cylinder(radius: 20), at: 0.8, force: 0.01), (shape: Wedge(slope: 0.1), at: -2, force: 0.02)]",
         ),
-        ("depth: 2e-3, half_width: 1.5", "punch: Parabola(radius: 50), force: 8"),
-        ("depth: 2e-3, half_width: 1.5", "punches: [(shape: Parabola(radius: 20), at: 1.2, force: 9)]"),
+        ("depth: 2e-3, half_width: 1.5", "punch: Parabola(radius: 500), force: 25"),
+        ("depth: 2e-3, half_width: 1.5", "punches: [(shape: Parabola(radius: 20), at: 1.2, force: 25)]"),
     ];
     for (number, (dent, top)) in cases.into_iter().enumerate() {
         let text = pressed_over(dent, top);
@@ -216,7 +216,7 @@ fn wide_dents_are_hollows_of_the_face() {
 /// A punch that has sunk by the depth that a force makes is pressed with that force.
 #[test]
 fn depths_over_dents_lead_back_to_forces() {
-    for (dent, force) in [("depth: 2e-3, half_width: 1.5", 0.02), ("depth: 2e-3, half_width: 1.5", 8.0)] {
+    for (dent, force) in [("depth: 2e-3, half_width: 1.5", 0.02), ("depth: 2e-3, half_width: 1.5", 25.0)] {
         let text = pressed_over(dent, &format!("punch: Parabola(radius: 50), force: {force:?}"));
         let (scene, (model, solution)) = (Scene::from_ron(&text).unwrap(), solved(&text).unwrap());
         let depth = model.approach(&scene.top, &solution).unwrap().value;

@@ -286,7 +286,7 @@ fn a_residual_stress_above_all_stresses_of_the_load_is_the_largest() {
 /// A laminate that is bent before it is loaded is pressed by a punch like a flat one by a punch that is curved as much less.
 #[test]
 fn a_punch_sees_the_face_of_a_laminate_that_is_bent() {
-    for (geometry, punch, force) in [("PlaneStrain", "Parabola", 1e-4), ("Axisymmetric", "Paraboloid", 3e-5)] {
+    for (geometry, force) in [("PlaneStrain", 1e-4), ("Axisymmetric", 3e-5)] {
         let solved = |punch: &str, strain: f64, gap: &str| {
             let layer = "Homogeneous(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25";
             solve(&scene_of(
@@ -298,7 +298,7 @@ fn a_punch_sees_the_face_of_a_laminate_that_is_bent() {
         let stretched = if geometry == "PlaneStrain" { 1.25 } else { 1.0 };
         let curvature = bimetal([0.5, 0.5], [1.0, 1.0], stretched * 5e-4);
         for (of_punch, of_same) in [(1e-3, 1e-3 - curvature), (2e-3, 2e-3 - curvature)] {
-            let round = |curvature: f64| format!("{punch}(radius: {:?})", 1.0 / curvature);
+            let round = |curvature: f64| format!("Parabola(radius: {:?})", 1.0 / curvature);
             let bent = solved(&round(of_punch), 5e-4, "");
             let flat = solved(&round(of_same), 0.0, &format!("(gap: {})", round(curvature)));
             for (bent, flat) in bent.contacts().iter().zip(flat.contacts()) {
@@ -311,7 +311,7 @@ fn a_punch_sees_the_face_of_a_laminate_that_is_bent() {
         // a circle is not a parabola, and the face under a punch that ends rises to its end
         let circle = if geometry == "PlaneStrain" { "Cylinder(radius: 900)" } else { "Sphere(radius: 900)" };
         let near = solved(circle, 5e-4, "").contacts()[0].half_length().unwrap();
-        let parabola = solved(&format!("{punch}(radius: 900)"), 5e-4, "").contacts()[0].half_length().unwrap();
+        let parabola = solved("Parabola(radius: 900)", 5e-4, "").contacts()[0].half_length().unwrap();
         assert!((near / parabola - 1.0).abs() < 1e-4, "{near} {parabola}");
     }
     let flat = scene_of(

@@ -16,14 +16,14 @@ use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain};
 /// A wave as short as this, over the thickness of the stack, sees no more of it than faces.
 const SHORT: f64 = 1e12;
 
-/// The bodies of a stack whose contacts below the first one are closed but for openings.
+/// The bodies of a stack below a contact, all in contact but for openings.
 #[derive(Clone, Debug)]
 pub(super) struct ClosedBodies {
     laminates: Vec<FreeChain>,
     base: BaseChain,
     plane: Plane,
     modulus: f64,
-    /// The pressure on top.
+    /// The pressure of the contact above them.
     top: Vec<TabulatedStrip>,
     /// The slopes of the gaps of each interface, as pressures.
     slopes: Vec<Vec<TabulatedStrip>>,
@@ -46,7 +46,9 @@ impl ClosedBodies {
         let top = top.strips.iter().map(TabulatedStrip::new).collect();
         let system = BlockSystem::new(stack);
         let slopes = closed.iter().map(|own| own.slopes.iter().map(TabulatedStrip::new).collect()).collect();
-        let (laminates, base, plane) = (FreeChain::all(&system), BaseChain::of(&system), stack.plane());
+        let mut laminates = FreeChain::all(&system);
+        laminates.drain(..laminates.len() - closed.len());
+        let (base, plane) = (BaseChain::of(&system), stack.plane());
         let dents = closed.iter().map(|own| gaps.dent(own.interface)).collect();
         Self { laminates, base, plane, modulus, top, slopes, dents }
     }

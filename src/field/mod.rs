@@ -136,8 +136,8 @@ impl Field {
         let closed: Vec<ClosedInterface> = solution.closed().iter().filter(|_| apart).map(moved).collect();
         let pressure = |contact| ContactPressure::new(contact, is_even, middle);
         let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
-        if let (false, Some(top)) = (closed.is_empty(), contacts.first()) {
-            let bodies = Arc::new(ClosedBodies::new(stack, modulus, &top.clone().moved(-middle), &closed, &gaps));
+        if let (false, Some(above)) = (closed.is_empty(), contacts.last()) {
+            let bodies = Arc::new(ClosedBodies::new(stack, modulus, &above.clone().moved(-middle), &closed, &gaps));
             let of = |(k, own): (usize, &ClosedInterface)| {
                 ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, stack.total_thickness()))
             };
