@@ -156,11 +156,11 @@ fn nothing_but_weights_may_press() {
 }
 
 /// Depth and width of a dent, and what presses above it.
-fn pressed_over(dent: &str, top: &str) -> String {
+fn pressed_over(weight: f64, dent: &str, top: &str) -> String {
     format!(
         "Scene(geometry: PlaneStrain, {top}, stack: [
-        Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: 0.1), Bonded,
-        Exponential(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25, beta: 0.5, specific_weight: 0.1),
+        Homogeneous(thickness: 1.0, shear_modulus: 0.75, poisson: 0.25, specific_weight: {weight:?}), Bonded,
+        Exponential(thickness: 0.5, shear_modulus: 0.75, poisson: 0.25, beta: 0.5, specific_weight: {weight:?}),
         Receding(gap: Dent({dent})), Rigid])"
     )
 }
@@ -175,11 +175,11 @@ fn a_punch_touches_the_face_that_a_dent_lowers() {
             "depth: 2e-3, half_width: 1.5",
             "punches: [(shape: Cylinder(radius: 20), at: 0.8, force: 0.01), (shape: Wedge(slope: 0.1), at: -2, force: 0.02)]",
         ),
-        ("depth: 2e-3, half_width: 1.5", "punch: Parabola(radius: 500), force: 25"),
-        ("depth: 2e-3, half_width: 1.5", "punches: [(shape: Parabola(radius: 20), at: 1.2, force: 25)]"),
+        ("depth: 2e-3, half_width: 1.5", "punch: Parabola(radius: 5), force: 0.3"),
+        ("depth: 2e-3, half_width: 1.5", "punches: [(shape: Parabola(radius: 5), at: 1.2, force: 0.3)]"),
     ];
     for (number, (dent, top)) in cases.into_iter().enumerate() {
-        let text = pressed_over(dent, top);
+        let text = pressed_over(if number < 3 { 0.1 } else { 1e-3 }, dent, top);
         let scene = Scene::from_ron(&text).unwrap();
         let (model, solution) = solved(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
         assert_eq!(solution.closed()[0].openings.is_empty(), number < 3, "{text}");
@@ -204,7 +204,7 @@ fn a_punch_touches_the_face_that_a_dent_lowers() {
 fn wide_dents_are_hollows_of_the_face() {
     let half_length = |dent: &str, radius: f64| {
         let punch = format!("punch: Parabola(radius: {radius:?}), force: 0.02");
-        solved(&pressed_over(dent, &punch)).unwrap().1.contacts()[0].half_length().unwrap()
+        solved(&pressed_over(0.1, dent, &punch)).unwrap().1.contacts()[0].half_length().unwrap()
     };
     let flat = half_length("depth: 1e-12, half_width: 1.0", 50.0);
     let wide = half_length("depth: 20.0, half_width: 100.0", 50.0 / 1.2);
@@ -216,8 +216,9 @@ fn wide_dents_are_hollows_of_the_face() {
 /// A punch that has sunk by the depth that a force makes is pressed with that force.
 #[test]
 fn depths_over_dents_lead_back_to_forces() {
-    for (dent, force) in [("depth: 2e-3, half_width: 1.5", 0.02), ("depth: 2e-3, half_width: 1.5", 25.0)] {
-        let text = pressed_over(dent, &format!("punch: Parabola(radius: 50), force: {force:?}"));
+    for (weight, force) in [(0.1, 0.02), (1e-3, 0.3)] {
+        let punch = format!("punch: Parabola(radius: 5), force: {force:?}");
+        let text = pressed_over(weight, "depth: 2e-3, half_width: 1.5", &punch);
         let (scene, (model, solution)) = (Scene::from_ron(&text).unwrap(), solved(&text).unwrap());
         let depth = model.approach(&scene.top, &solution).unwrap().value;
         let found = model.press(&scene.top, Force::ForDepth(depth)).unwrap();
