@@ -3,9 +3,6 @@ use std::f64::consts::PI;
 
 use crate::numeric::waves::Waves;
 
-/// Cosines cos kφ are followed so far beyond the shortest wave: what is left is below rounding.
-const BEYOND: usize = 40;
-
 /// What a face adds to the gap of a contact: layers that eigenstrains bend, or that weights press down on a parabola, are curved, and dents that are pressed flat below lower it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Face<'a> {
@@ -41,7 +38,8 @@ impl Face<'_> {
     /// ∫ f'(half cos φ)/cos φ dφ from 0 to π/2: the sum of the tests with odd k, with alternating signs.
     pub(crate) fn apex(&self, half: f64) -> f64 {
         let shortest = self.hollow.and_then(|waves| waves.wavenumbers.last()).map_or(0.0, |wave| wave * half);
-        let tests = self.tests(0.0, half, shortest as usize + BEYOND);
+        // tests with k so far beyond the shortest wave are below rounding
+        let tests = self.tests(0.0, half, shortest as usize + 40);
         tests.chunks(4).map(|four| four.get(1).unwrap_or(&0.0) - four.get(3).unwrap_or(&0.0)).sum()
     }
 }
