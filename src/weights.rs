@@ -41,12 +41,10 @@ const ROUNDING: f64 = 1e-13;
 /// The interfaces of a stack that are pressed together.
 #[derive(Clone, Debug)]
 pub(crate) struct Weights {
-    /// The kernels of openings, the contact above them first.
+    /// The kernels of openings and of the contacts above them.
     pub(crate) kernel: Kernel,
     /// The interfaces, and the pressure on each.
     pub(crate) interfaces: Vec<(Interface, f64)>,
-    /// The number of the contact above them.
-    above: usize,
     /// The interfaces with a dent, by their numbers from 1, and what dents that are pressed flat do to the pressure on each interface; none if there are no dents.
     dents: Vec<(usize, Dent)>,
     pub(crate) by_dents: Vec<Waves>,
@@ -65,8 +63,8 @@ impl Weights {
         let dent =
             |(number, (interface, _)): (usize, &(Interface, f64))| Some((number + 1, stack.gaps().dent(*interface)?));
         let dents: Vec<(usize, Dent)> = interfaces.iter().enumerate().filter_map(dent).collect();
-        let kernel = Kernel::of_openings(&stack.pressed())?;
-        let own = Self { kernel, interfaces, above, dents, by_dents: Vec::new(), hollow: None };
+        let kernel = Kernel::of_openings(stack)?;
+        let own = Self { kernel, interfaces, dents, by_dents: Vec::new(), hollow: None };
         if own.dents.is_empty() {
             return Ok(Some(own));
         }
@@ -83,7 +81,7 @@ impl Weights {
     /// The interfaces under what presses on the contact above them, all closed, and where layers would pull most for their weight, of what is even on the right, with the number of that interface, from 1.
     pub(crate) fn under(&self, solution: &Solution) -> (Vec<ClosedInterface>, Option<(usize, [f64; 2])>) {
         let middle = solution.about().unwrap_or(0.0);
-        let contact = &solution.contacts()[self.above];
+        let contact = &solution.contacts()[self.kernel.lowest()];
         let error = self.above_error(solution);
         let is_even = solution.about().is_some() && (middle == 0.0 || !self.has_dents());
         let pressure = ContactPressure::new(contact, is_even, middle);
@@ -167,7 +165,7 @@ impl Weights {
 
     /// The relative error of what presses on the contact above.
     fn above_error(&self, solution: &Solution) -> f64 {
-        let error = solution.contacts()[self.above].end_error();
+        let error = solution.contacts()[self.kernel.lowest()].end_error();
         ROUNDING + if error.is_finite() { error } else { 0.0 }
     }
 
@@ -176,11 +174,17 @@ impl Weights {
         self.kernel.length() * self.kernel.farthest()
     }
 
+    /// The number of the coupling of two interfaces, or of one with the contact above them, which counts as 0.
+    fn coupling(&self, i: usize, j: usize) -> Option<usize> {
+        let [own, other] = [i, j].map(|number| self.kernel.lowest() + number);
+        self.kernel.neighbours(own).find(|(there, _)| *there == other).map(|(_, pair)| pair)
+    }
+
     /// The waves of the pressure on interface i that what presses above makes, which has these ends.
     fn waves(&self, i: usize, (pressure, is_even): (&ContactPressure, bool), ends: &[f64]) -> Waves {
         let (kernel, is_round) = (&self.kernel, self.kernel.geometry().is_axisymmetric());
         let length = kernel.length();
-        let pair = kernel.neighbours(0).find(|(other, _)| *other == i).map_or(0, |(_, pair)| pair);
+        let pair = self.coupling(0, i).unwrap_or_default();
         // a wave at the farthest place looked at, times the transform of a pressure at the farthest end
         let reach = (self.farthest() + 2.0 * longest(ends.iter().copied())) / length;
         let (mut zeta, mut weights) = (Vec::new(), Vec::new());
@@ -213,10 +217,10 @@ impl Weights {
     fn with_dents(&self, i: usize, mut waves: Waves, middle: f64, reach: f64) -> Waves {
         let (kernel, length) = (&self.kernel, self.kernel.length());
         for (number, dent) in &self.dents {
-            let pair = kernel.neighbours(i).find(|(other, _)| other == number).map(|(_, pair)| pair);
+            let (pair, own) = (self.coupling(i, *number), kernel.lowest() + i);
             let response = |zeta: f64| match pair {
                 Some(pair) => kernel.coupling(pair, zeta),
-                None => kernel.asymptote(i).limit + kernel.remainder(i, zeta),
+                None => kernel.asymptote(own).limit + kernel.remainder(own, zeta),
             };
             let last = length * dent.shortest();
             let panels = kernel.panels.iter().map(|panel| [panel.from, panel.to]).filter(|[from, _]| *from < last);

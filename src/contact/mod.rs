@@ -86,8 +86,10 @@ pub(crate) fn open(
     let asked = &Asked { top: &top, ..*asked };
     let problem = drive.of(asked.problem(&own, closed.force()));
     let to_unit = |contact: &Contact| contact.clone().scaled(own.length().recip(), 1.0).moved(-problem.origin);
-    let contacts: Vec<Contact> = closed.contacts.iter().map(to_unit).collect();
-    let of_unit = |(contact, ends): &(usize, [f64; 2])| (*contact, ends.map(|x| x / own.length() - problem.origin));
+    let contacts: Vec<Contact> =
+        problem.unknown().filter_map(|contact| closed.contacts.get(contact)).map(to_unit).collect();
+    let of_unit =
+        |(number, ends): &(usize, [f64; 2])| (own.lowest() + number, ends.map(|x| x / own.length() - problem.origin));
     let openings: Vec<(usize, [f64; 2])> = openings.iter().map(of_unit).collect();
     let start = intervals::of_openings(&problem, &contacts, &openings);
     let (mut refused, mut work) = (Refused::default(), Work::at_most(share * problem.operations));

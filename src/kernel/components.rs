@@ -1,18 +1,13 @@
 //! Where the components of kernels stand among the values at a wavenumber.
 
-/// Which kernels they are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// Of contacts between laminates: pressures make gaps. Neighbours are coupled by the laminate between them.
-    Contacts,
-    /// Of openings between laminates that lie on each other, below one contact: see [`super::openings`]. All are coupled with all.
-    Openings,
-}
-
-/// The order of the components: diagonals, responses under equal pressures, couplings, and the sum of all responses under equal pressures.
+/// The order of the components: diagonals, responses under equal pressures, couplings, and the sum of the responses of contacts under equal pressures.
+///
+/// In contacts between laminates pressures make gaps, and neighbours are coupled by the laminate between them. Openings between laminates that lie on each other below these, see
+/// [`super::openings`], are coupled with all of their kind and with the lowest contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Components {
-    pub(super) kind: Kind,
+    /// The lowest contact.
+    pub(super) lowest: usize,
     /// Contacts, and openings below each other.
     pub(super) contacts: usize,
 }
@@ -25,10 +20,8 @@ impl Components {
 
     /// How many couplings there are.
     pub(super) fn pairs(self) -> usize {
-        match self.kind {
-            Kind::Contacts => self.contacts - 1,
-            Kind::Openings => self.contacts * (self.contacts - 1) / 2,
-        }
+        let openings = self.contacts - 1 - self.lowest;
+        self.lowest + openings * (openings + 1) / 2
     }
 
     /// The response of contact i under equal pressures; of openings the diagonal again, since these have no pressures in common.
@@ -44,29 +37,29 @@ impl Components {
         2 * self.contacts + self.pairs()
     }
 
-    /// Whether the response of a contact is a part of the last component: of an opening that is a pressure.
-    pub(super) fn is_squeezed(self, contact: usize) -> bool {
-        contact == 0 || self.kind == Kind::Contacts
+    /// Whether it is an opening, where slopes of the gap make pressures.
+    pub(super) fn is_opening(self, contact: usize) -> bool {
+        contact > self.lowest
     }
 
     /// The power of ζ that makes a component finite at ζ = 0: long waves bend free laminates, λC ~ λ⁻³, or λC ~ λ⁻¹ under equal loads, but not laminates that lie on each other.
     pub(super) fn power(self, component: usize) -> i32 {
+        let is_bent = |contact: usize| self.lowest > 0 && !self.is_opening(contact);
         match component / self.contacts {
-            _ if self.contacts == 1 || self.kind == Kind::Openings || component == self.squeezed() => 0,
-            1 => 1,
-            _ => 3,
+            _ if component == self.squeezed() => 0,
+            0 if is_bent(component) => 3,
+            1 if is_bent(component - self.contacts) => 1,
+            0 | 1 => 0,
+            _ if component - self.coupling(0) < self.lowest => 3,
+            _ => 0,
         }
     }
 
     /// The two that a coupling couples, the upper one first.
     pub(super) fn pair(self, pair: usize) -> [usize; 2] {
-        match self.kind {
-            Kind::Contacts => [pair, pair + 1],
-            Kind::Openings => {
-                let mut all = (0..self.contacts).flat_map(|i| (i + 1..self.contacts).map(move |j| [i, j]));
-                all.nth(pair).unwrap_or_default()
-            }
-        }
+        let Some(among_openings) = pair.checked_sub(self.lowest) else { return [pair, pair + 1] };
+        let mut all = (self.lowest..self.contacts).flat_map(|i| (i + 1..self.contacts).map(move |j| [i, j]));
+        all.nth(among_openings).unwrap_or_default()
     }
 
     /// What a contact is coupled with, with the number of the coupling.
@@ -80,7 +73,6 @@ impl Components {
 
     /// The couplings that are parts of the response of a contact under equal pressures.
     pub(super) fn shared(self, contact: usize) -> impl Iterator<Item = usize> + use<> {
-        let all = self.neighbours(contact).filter(move |_| self.kind == Kind::Contacts);
-        all.map(|(_, pair)| pair)
+        self.neighbours(contact).map(|(_, pair)| pair).filter(move |pair| *pair < self.lowest)
     }
 }

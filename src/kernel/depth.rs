@@ -90,7 +90,7 @@ impl Kernel {
 
     /// Whether the faces of a contact are averaged.
     fn is_averaged(&self, contact: usize) -> bool {
-        contact == 0 || !self.has_openings()
+        contact <= self.lowest()
     }
 
     /// The other contacts whose faces a contact moves, with the numbers of their couplings.

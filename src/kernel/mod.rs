@@ -23,7 +23,7 @@ use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain, Unresolved};
 
 pub(crate) use asymptote::{Asymptote, sum_of};
-use components::{Components, Kind};
+use components::Components;
 pub(crate) use depth::DepthWaves;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
@@ -63,7 +63,8 @@ pub(crate) struct Kernel {
 /// The chains of the block system, and the units in which they are evaluated.
 #[derive(Clone, Debug)]
 struct Chains {
-    kind: Kind,
+    /// The lowest contact: what is below it lies on each other but for openings.
+    lowest: usize,
     laminates: Vec<FreeChain>,
     base: BaseChain,
     /// The body that presses on top, if that is elastic and not the same for all wavenumbers.
@@ -80,18 +81,21 @@ struct Sample {
     /// Whether equal pressures bend a laminate, at this wavenumber or another one since [`Sample::new`]: its equal-pressure response is then
     /// no more accurate than the rounding error of its bending response.
     bent: Vec<bool>,
-    /// Of openings, the largest bending response of a laminate that equal pressures bend, over 1 + ζ²: the compliance on top has its rounding error.
+    /// Below the lowest contact, the largest bending response of a laminate that equal pressures bend, over 1 + ζ²: the compliance there has its rounding error.
     cancelled: f64,
+    /// The responses of the lowest contact and of openings under equal pressures, as far as they are due to what is below that contact, and the bending responses of the laminates there.
+    closed: [Vec<f64>; 2],
 }
 
 impl Sample {
     fn new(order: Components) -> Self {
-        Self { components: vec![0.0; order.count()], bent: vec![false; order.contacts - 1], cancelled: 0.0 }
+        let (components, bent) = (vec![0.0; order.count()], vec![false; order.contacts - 1]);
+        Self { components, bent, cancelled: 0.0, closed: Default::default() }
     }
 }
 
 impl Chains {
-    fn new(stack: &Stack, kind: Kind) -> Self {
+    fn new(stack: &Stack, lowest: usize) -> Self {
         let (geometry, plane) = (stack.geometry(), stack.plane());
         let system = BlockSystem::new(stack);
         let (laminates, base) = (FreeChain::all(&system), BaseChain::of(&system));
@@ -99,11 +103,11 @@ impl Chains {
         let modulus = top.map_or(1.0, |layer| layer.material(0.0, plane).shear_compliance.recip());
         let length = [Some(stack), stack.second()].into_iter().flatten().find_map(length::intrinsic_length);
         let (length, second) = (length.unwrap_or(1.0), stack.second().map(|own| BaseChain::of(&BlockSystem::new(own))));
-        Self { kind, laminates, base, second, geometry, length, modulus }
+        Self { lowest, laminates, base, second, geometry, length, modulus }
     }
 
     fn order(&self) -> Components {
-        Components { kind: self.kind, contacts: self.contacts() }
+        Components { lowest: self.lowest, contacts: self.contacts() }
     }
 
     fn contacts(&self) -> usize {
@@ -116,48 +120,49 @@ impl Chains {
 
     /// All components at one wavenumber for the contacts that are `wanted`.
     fn sample(&self, zeta: f64, wanted: &[bool], sample: &mut Sample, stats: &mut Stats) -> Result<(), Unresolved> {
-        let Sample { components, bent, cancelled } = sample;
+        let Sample { components, bent, cancelled, closed: [equal, bending] } = sample;
         let wave = self.wave(zeta);
-        let n = self.contacts();
+        let (n, order) = (self.contacts(), self.order());
         let failed = || Unresolved { wavenumber: wave.wavenumber };
         components.fill(0.0);
+        equal.clear();
+        equal.resize(n - self.lowest, 0.0);
+        bending.clear();
         stats.wavenumbers += 1;
         if stats.wavenumbers > n * MOST_WAVENUMBERS {
             return Err(failed());
         }
         // all openings are coupled with all
-        let is_wanted = |i: usize| self.kind == Kind::Openings || wanted[i];
+        let is_wanted = |i: usize| self.lowest + 1 < n || wanted[i];
         for (i, laminate) in self.laminates.iter().enumerate() {
             if !(is_wanted(i) || is_wanted(i + 1)) {
                 continue;
             }
             let c = laminate.counted_flexibility(&wave, stats).ok_or_else(failed)?;
+            // bending moves both faces alike; several layers are eliminated with the rounding error of bending
+            bent[i] |= laminate.layers().len() > 1 || c.equal_top + c.equal_bottom != 0.0;
+            if let Some(below) = i.checked_sub(self.lowest) {
+                equal[below] += c.equal_top;
+                equal[below + 1] -= c.equal_bottom;
+                bending.push(-c.coupling);
+                continue;
+            }
             components[i] += c.top;
             components[n + i] += c.equal_top;
             components[i + 1] -= c.bottom;
             components[n + i + 1] -= c.equal_bottom;
-            components[2 * n + i] = c.coupling;
-            components[3 * n - 1] += c.equal_top - c.equal_bottom;
-            // bending moves both faces alike; several layers are eliminated with the rounding error of bending
-            bent[i] |= laminate.layers().len() > 1 || c.equal_top + c.equal_bottom != 0.0;
+            components[order.coupling(i)] = c.coupling;
+            components[order.squeezed()] += c.equal_top - c.equal_bottom;
         }
         if is_wanted(n - 1) {
-            let c = self.base.counted_flexibility(&wave, stats).ok_or_else(failed)?;
-            components[n - 1] += c;
-            components[2 * n - 1] += c;
-            components[3 * n - 1] += c;
+            equal[n - 1 - self.lowest] += self.base.counted_flexibility(&wave, stats).ok_or_else(failed)?;
+            let noisy = bending.iter().zip(&bent[self.lowest..]).filter(|(_, bent)| **bent);
+            *cancelled = noisy.map(|(bending, _)| bending.abs()).fold(0.0, f64::max) / (1.0 + zeta * zeta);
+            openings::add_openings(order, &ClosedContacts::new(equal, bending), components);
         }
         if let (Some(second), true) = (&self.second, is_wanted(0)) {
             let c = second.counted_flexibility(&wave, stats).ok_or_else(failed)?;
-            [0, n, 3 * n - 1].into_iter().for_each(|component| components[component] += c);
-        }
-        if self.kind == Kind::Openings {
-            let bending: Vec<f64> = components[2 * n..3 * n - 1].iter().map(|coupling| -coupling).collect();
-            let noisy = bending.iter().zip(&*bent).filter(|(_, bent)| **bent).map(|(bending, _)| bending.abs());
-            *cancelled = noisy.fold(0.0, f64::max) / (1.0 + zeta * zeta);
-            let closed = ClosedContacts::new(&components[n..2 * n], &bending);
-            components.fill(0.0);
-            openings::of_openings(self.order(), &closed, components);
+            [0, n, order.squeezed()].into_iter().for_each(|component| components[component] += c);
         }
         if components.iter().all(|c| c.is_finite()) { Ok(()) } else { Err(failed()) }
     }
@@ -186,17 +191,17 @@ fn short_wave_allowance(half_length: f64, zeta: f64) -> f64 {
 impl Kernel {
     /// Samples the flexibilities of `stack` until every component is resolved to rounding.
     pub(crate) fn new(stack: &Stack) -> Result<Self, Unresolved> {
-        Self::of_kind(stack, Kind::Contacts)
+        Self::of_stack(stack, stack.laminates().len())
     }
 
-    /// The kernels of openings between the laminates of `stack`, which lie on each other, and of the contact on top.
+    /// The kernels of openings between the laminates of `stack` that weights press on each other, and of the contacts above.
     pub(crate) fn of_openings(stack: &Stack) -> Result<Self, Unresolved> {
-        Self::of_kind(stack, Kind::Openings)
+        Self::of_stack(stack, stack.loose())
     }
 
-    fn of_kind(stack: &Stack, kind: Kind) -> Result<Self, Unresolved> {
+    fn of_stack(stack: &Stack, lowest: usize) -> Result<Self, Unresolved> {
         let (stack, merged) = stack.merged();
-        let mut kernel = Self::sampled(Chains::new(&stack, kind))?;
+        let mut kernel = Self::sampled(Chains::new(&stack, lowest))?;
         (kernel.stats.dropped, kernel.stats.merged) = (stack.dropped().len(), merged);
         Ok(kernel)
     }
@@ -205,6 +210,7 @@ impl Kernel {
     pub(crate) fn without(&self, laminate: usize) -> Result<Self, Unresolved> {
         let mut chains = self.chains.clone();
         chains.laminates.remove(laminate);
+        chains.lowest -= 1;
         let mut kernel = Self::sampled(chains)?;
         let own = std::mem::replace(&mut kernel.stats, self.stats.clone());
         kernel.stats.wavenumbers += own.wavenumbers;
@@ -387,7 +393,7 @@ impl Kernel {
         self.chains.order().pair(pair)
     }
 
-    /// What a contact is coupled with, with the numbers of the couplings: the contacts above and below by the laminates between, or all openings.
+    /// What a contact is coupled with, with the numbers of the couplings: the contacts above and below by the laminates between, and openings with all others and the lowest contact.
     pub(crate) fn neighbours(&self, contact: usize) -> impl Iterator<Item = (usize, usize)> + use<> {
         self.chains.order().neighbours(contact)
     }
@@ -397,9 +403,14 @@ impl Kernel {
         self.chains.order().shared(contact)
     }
 
-    /// Whether all but the uppermost contact are closed but for openings.
+    /// The lowest contact; what is below it lies on each other but for openings.
+    pub(crate) fn lowest(&self) -> usize {
+        self.chains.lowest
+    }
+
+    /// Whether there is anything below the lowest contact.
     pub(crate) fn has_openings(&self) -> bool {
-        self.chains.kind == Kind::Openings
+        self.lowest() + 1 < self.contacts()
     }
 
     /// Coupling i, at one wavenumber.

@@ -1,7 +1,7 @@
 //! Kernels of openings: laminates that are pressed together everywhere, by their weight or by a pressure on top, and come apart in places.
 //!
-//! Contact 0 is the one on top; opening i lies between laminate i − 1 and the bodies below. What is unknown there is the slope φ of the gap, as the pressure is in a contact, and what
-//! is given is the pressure, which is zero. With the compliances g_ij of all contacts, where pressures make slopes, and k_i = g_0i, the components are
+//! The lowest contact is the one above all of them, and counts as 0 here; opening i lies between laminate i − 1 below that and the bodies below. What is unknown there is the slope φ of the gap, as the
+//! pressure is in a contact, and what is given is the pressure, which is zero. With the compliances g_ij of all of these, where pressures make slopes, and k_i = g_0i, the components are
 //!
 //! * M = (g_ij)⁻¹ for i, j > 0: the pressure at i that a slope of the gap at j makes;
 //! * t_i = −Σ M_ij k_j: the pressure at i that a unit pressure on top makes, and the slope on top that a slope of the gap at i makes;
@@ -25,21 +25,25 @@ impl Kernel {
             let panels = self.panels.iter().rev();
             panels.filter(|panel| panel.coupled[pair]).find_map(|panel| panel.last_coupled_above(pair, HALF))
         };
-        let longest = self.neighbours(0).filter_map(|(_, pair)| carried(pair)).fold(f64::INFINITY, f64::min);
+        let below = self.neighbours(self.lowest()).filter(|(other, _)| *other > self.lowest());
+        let longest = below.filter_map(|(_, pair)| carried(pair)).fold(f64::INFINITY, f64::min);
         let first = self.panels.first().map_or(1.0, |panel| panel.to);
         FARTHEST / Some(longest).filter(|longest| longest.is_finite()).unwrap_or(first).max(first)
     }
 }
 
-/// The components, as they stand in a sample.
-pub(super) fn of_openings(order: Components, closed: &ClosedContacts, components: &mut [f64]) {
-    for i in 0..order.contacts {
-        let own = if i == 0 { closed.compliance() } else { closed.pressure(i, i) };
+/// Adds the components of what lies below the lowest contact, as they stand in a sample.
+pub(super) fn add_openings(order: Components, closed: &ClosedContacts, components: &mut [f64]) {
+    let Components { lowest, contacts } = order;
+    for component in [lowest, order.equal(lowest), order.squeezed()] {
+        components[component] += closed.compliance();
+    }
+    for i in lowest + 1..contacts {
+        let own = closed.pressure(i - lowest, i - lowest);
         (components[i], components[order.equal(i)]) = (own, own);
     }
-    components[order.squeezed()] = closed.compliance();
-    for pair in 0..order.pairs() {
-        let [above, below] = order.pair(pair);
+    for pair in lowest..order.pairs() {
+        let [above, below] = order.pair(pair).map(|own| own - lowest);
         components[order.coupling(pair)] =
             if above == 0 { closed.carried(below) } else { closed.pressure(above, below) };
     }

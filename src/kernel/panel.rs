@@ -7,7 +7,7 @@ use crate::numeric::{chebyshev, dot, quadrature};
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::components::{Components, Kind};
+use super::components::Components;
 use super::{Asymptote, Chains, Sample};
 
 /// Gauss points per panel.
@@ -103,12 +103,13 @@ fn resolved(
     };
     // a coupling need be as accurate as the diagonals and equal-pressure responses of its contacts only
     let coupled = |i: usize| size(i).min(from * from * size(order.equal(i)));
+    // only laminates below the lowest contact leave anything there
+    let closed = |i: usize| if i == order.lowest { on_top } else { 0.0 };
     (0..order.squeezed()).all(|c| {
         let size = size(c);
         let scale = match c / n {
-            0 | 1 if order.kind == Kind::Openings && c % n == 0 => size.max(on_top),
-            0 => size,
-            1 => size.max(cancelled(c - n)),
+            0 => size.max(closed(c)),
+            1 => size.max(cancelled(c - n)).max(closed(c - n)),
             _ => order.pair(c - 2 * n).into_iter().fold(size, |most, i| most.max(coupled(i))),
         };
         size == 0.0 || chebyshev::legendre_tail(&values(c)) * size <= RESOLVED * scale
@@ -302,7 +303,7 @@ impl Values {
         for (k, asymptotic) in asymptotic.enumerate() {
             let value = asymptotic + order.shared(i).map(|pair| rest[pair * count + k]).sum::<f64>();
             let before = std::mem::replace(&mut equal[i * count + k], value);
-            if order.is_squeezed(i) {
+            if !order.is_opening(i) {
                 rest[self.pairs * count + k] += value - before;
             }
         }

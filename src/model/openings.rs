@@ -25,7 +25,7 @@ impl Model {
         let Some((_, weights)) = &self.closed else { return Ok(solution) };
         let (closed, tensile) = weights.under(&solution);
         let Some((number, _)) = tensile else { return Ok(Solution { closed, ..solution }) };
-        if !self.stack.geometry().is_axisymmetric() && self.stack.loose() == 0 {
+        if !self.stack.geometry().is_axisymmetric() {
             return self.opened((top, force, weights), options.tolerance, &solution, tensile.as_slice());
         }
         let ClosedInterface { interface, smallest_at: x, .. } = closed[number - 1];

@@ -49,12 +49,6 @@ impl Stack {
             laminate.layers.iter_mut().for_each(|placed| placed.pressed_to = curvature);
         }
     }
-
-    /// The laminates that are pressed together, and the base, as a stack of their own.
-    pub(crate) fn pressed(&self) -> Self {
-        let laminates = self.laminates[self.loose()..].to_vec();
-        Self { laminates, base: self.base.clone(), dropped: self.dropped.clone(), second: self.second.clone(), ..*self }
-    }
 }
 
 /// The weight of a layer, force per area.

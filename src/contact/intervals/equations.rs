@@ -335,7 +335,9 @@ impl<'a> Equations<'a> {
         // of a given pressure none
         let long = |contact: usize| {
             let zeta = self.zeta(contact, nodes.clone());
-            match self.problem.sides[contact].given().filter(|_| self.problem.kernel.has_openings()) {
+            // openings meet resultants and moments as well
+            let is_met = self.problem.kernel.neighbours(contact).any(|(other, _)| self.problem.is_opened(other));
+            match self.problem.sides[contact].given().filter(|_| is_met) {
                 Some(given) => Long::of_given(given.moment, zeta, self.parts(), workspace),
                 None => self.columns[contact].long_waves(zeta, workspace),
             }

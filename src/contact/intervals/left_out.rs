@@ -29,7 +29,7 @@ pub(super) fn left_out(
         let [above, below] = kernel.pair(laminate);
         if kernel.uncoupled(laminate, shortest[above].min(shortest[below]), negligible) > 1.25 * end {
             let left = (kernel.coupling(laminate, end) / kernel.least(laminate)).abs() / end;
-            let differ = if kernel.has_openings() { 1.0 } else { differ(solution, laminate) };
+            let differ = if below > kernel.lowest() { 1.0 } else { differ(solution, laminate) };
             [above, below].into_iter().for_each(|own| all[own] += SAFETY * differ * left);
         }
     }

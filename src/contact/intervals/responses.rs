@@ -10,15 +10,19 @@ impl Equations<'_> {
     /// The part, real or imaginary, of another contact's waves that makes a part of the slopes or pressures of a contact, with its sign: a pressure and the slope of a gap are a quarter of a
     /// wave apart. Where all is even a pressure has a real part alone, and a slope an imaginary one.
     fn shifted(&self, contact: usize, other: usize, part: usize) -> (usize, f64) {
-        match (contact == 0) == (other == 0) || !self.problem.kernel.has_openings() {
-            true => (part, 1.0),
-            false if self.moves => (1 - part, 1.0 - 2.0 * part as f64),
-            false => (part, if contact == 0 { 1.0 } else { -1.0 }),
+        match (self.is_opened(contact), self.is_opened(other)) {
+            (own, there) if own == there => (part, 1.0),
+            _ if self.moves => (1 - part, 1.0 - 2.0 * part as f64),
+            (is_opened, _) => (part, if is_opened { -1.0 } else { 1.0 }),
         }
     }
 
-    /// Weights of both parts of a contact's waves as the top face meets these, as weights of the waves as they are.
-    pub(super) fn met_by_top(&self, contact: usize, weights: [&[f64]; 2]) -> Vec<f64> {
+    fn is_opened(&self, contact: usize) -> bool {
+        self.problem.is_opened(contact)
+    }
+
+    /// Weights of both parts of the waves of a contact, or of an opening as contacts meet these, as weights of the waves as they are.
+    pub(super) fn met_by_contacts(&self, contact: usize, weights: [&[f64]; 2]) -> Vec<f64> {
         let count = weights[0].len();
         let mut all = vec![0.0; self.parts() * count];
         for (part, weights) in weights.into_iter().take(self.parts()).enumerate() {
@@ -65,7 +69,7 @@ impl Equations<'_> {
             let weights = self.coupling(pair, first);
             for part in 0..parts {
                 let sums = response[part * count..].iter_mut().take(count.min(there)).zip(weights).enumerate();
-                match kernel.has_openings() {
+                match self.is_opened(contact) || self.is_opened(other) {
                     // neighbours have resultants and moments in common
                     false => sums.for_each(|(k, (sum, weight))| {
                         *sum += weight / PI * (less[part * count + k] - fields[other][0][part * there + k]);
@@ -89,7 +93,7 @@ impl Equations<'_> {
     /// and the slope of a gap.
     pub(super) fn met(&self, sampled: &Sampled, other: usize, contact: usize) -> Option<Samples> {
         let (waves, long, parts) = (&sampled.waves[other], &sampled.long[other], self.parts());
-        if !self.problem.kernel.has_openings() {
+        if !self.is_opened(contact) && !self.is_opened(other) {
             return None;
         }
         let mut met = Samples::zeros(waves.rows(), waves.count());

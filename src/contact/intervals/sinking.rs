@@ -31,10 +31,10 @@ pub(super) fn intervals_of(problem: &Problem, solution: &Solution) -> Option<(In
     let contacts = problem.unknown().filter_map(|contact| solution.contacts.get(contact));
     let contacts: Vec<Contact> = contacts.map(own).collect();
     let place = |x: f64| x / problem.kernel.length() - problem.origin;
-    let openings =
-        solution.closed.iter().enumerate().flat_map(|(number, own)| {
-            own.openings.iter().map(move |one| (number + 1, [one.left, one.right].map(place)))
-        });
+    let openings = solution.closed.iter().enumerate().flat_map(|(number, own)| {
+        let contact = problem.kernel.lowest() + 1 + number;
+        own.openings.iter().map(move |one| (contact, [one.left, one.right].map(place)))
+    });
     let support = of_openings(problem, &contacts, &openings.collect::<Vec<_>>())?;
     let counts = solution.stats.terms.concat();
     (counts.len() == support.0.len()).then_some((support, counts))

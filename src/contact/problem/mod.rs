@@ -133,10 +133,9 @@ impl<'a> Problem<'a> {
         let twin = Twin::of(kernel.geometry());
         let force = twin.force(force, kernel.modulus(), length);
         let origin = top.middle() / length;
-        // what is pressed together lies below all contacts
-        let lowest = if kernel.has_openings() { 0 } else { kernel.contacts() - 1 };
-        let hollow_below = |contact: usize| hollow.filter(|_| contact == lowest);
-        let is_hollow = hollow.is_some() && (lowest > 0 || top.punches().is_some());
+        // dents are below all contacts
+        let hollow_below = |contact: usize| hollow.filter(|_| contact == kernel.lowest());
+        let is_hollow = hollow.is_some() && (kernel.lowest() > 0 || top.punches().is_some());
         let is_even = top.is_even()
             && (origin == 0.0 || !is_hollow)
             && gaps.iter().all(|(_, gap)| origin == 0.0 && gap.shape().is_even());
@@ -155,7 +154,7 @@ impl<'a> Problem<'a> {
         let below = (1..kernel.contacts()).map(|contact| {
             let face = Face { hollow: hollow_below(contact), ..Face::default() };
             match gap_at(contact).or(face.hollow.map(|_| &Gap::NONE)) {
-                None if kernel.has_openings() => {
+                None if contact > kernel.lowest() => {
                     let by_dents = None;
                     Side::Openings(ClosedPressure { weight: 0.0, by_dents, length, unit: 1.0, origin })
                 }
@@ -188,7 +187,7 @@ impl<'a> Problem<'a> {
     ) -> Self {
         let mut problem = Self::new(kernel, interfaces, loaded, force, tolerance);
         let unit = kernel.modulus() * problem.force;
-        let below = problem.sides.iter_mut().skip(1);
+        let below = problem.sides.iter_mut().skip(1 + kernel.lowest());
         let (length, origin) = (kernel.length(), problem.origin);
         for (number, (side, (_, weight))) in below.zip(weights).enumerate() {
             let (weight, by_dents) = (weight / unit, by_dents.get(number));
