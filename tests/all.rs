@@ -12,6 +12,7 @@ mod support;
 
 mod anywhere;
 mod approach;
+mod below_loose_layers;
 mod boundary_layers;
 mod cli;
 mod collocation;

@@ -58,19 +58,19 @@ mod tests {
             is_round: false,
         };
         let odd = Waves { amplitudes: [vec![0.1, 0.2, 0.3], vec![0.5, -0.1, 0.7]], is_even: false, ..waves.clone() };
-        const PLACES: usize = 400;
-        let angle = |q: usize| PI * (q as f64 + 0.5) / PLACES as f64;
+        let places = 400;
+        let angle = |q: usize| PI * (q as f64 + 0.5) / places as f64;
         for (hollow, from, middle) in [(None, 0.0, 0.0), (Some(&waves), 0.0, 0.0), (Some(&odd), 0.4, -1.1)] {
             let face = Face { curvature: 0.3, hollow, from };
             let half = 1.3;
             let slope = |q: usize| face.at(middle + half * angle(q).cos())[1];
             for (k, test) in face.tests(middle, half, 9).into_iter().enumerate() {
-                let sum: f64 = (0..PLACES).map(|q| slope(q) * (k as f64 * angle(q)).cos()).sum();
-                assert!((test - PI / PLACES as f64 * sum).abs() < 1e-13, "{k}");
+                let sum: f64 = (0..places).map(|q| slope(q) * (k as f64 * angle(q)).cos()).sum();
+                assert!((test - PI / places as f64 * sum).abs() < 1e-13, "{k}");
             }
             if from == 0.0 {
-                let sum: f64 = (0..PLACES / 2).map(|q| slope(q) / angle(q).cos()).sum();
-                assert!((face.apex(half) - PI / PLACES as f64 * sum).abs() < 1e-12);
+                let sum: f64 = (0..places / 2).map(|q| slope(q) / angle(q).cos()).sum();
+                assert!((face.apex(half) - PI / places as f64 * sum).abs() < 1e-12);
             }
             let step = 1e-5;
             let difference = (face.at(0.7 + step)[0] - face.at(0.7 - step)[0]) / (2.0 * step);
