@@ -4,7 +4,8 @@ use crate::numeric::quadrature::rule;
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::{Chains, DECAYED, Sample, short_wave_allowance};
+use super::components::Sample;
+use super::{Chains, DECAYED, short_wave_allowance};
 
 /// Points of the fit.
 const POINTS: usize = 17;

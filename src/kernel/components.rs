@@ -76,3 +76,23 @@ impl Components {
         self.neighbours(contact).map(|(_, pair)| pair).filter(move |pair| *pair < self.lowest)
     }
 }
+
+/// What is sampled at a wavenumber.
+pub(super) struct Sample {
+    /// Diagonals, equal-pressure responses, couplings, and the sum of all equal-pressure responses.
+    pub(super) components: Vec<f64>,
+    /// Whether equal pressures bend a laminate, at this wavenumber or another one since [`Sample::new`]: its equal-pressure response is then
+    /// no more accurate than the rounding error of its bending response.
+    pub(super) bent: Vec<bool>,
+    /// Below the lowest contact, the largest bending response of a laminate that equal pressures bend, over 1 + ζ²: the compliance there has its rounding error.
+    pub(super) cancelled: f64,
+    /// The responses of the lowest contact and of openings under equal pressures, as far as they are due to what is below that contact, and the bending responses of the laminates there.
+    pub(super) closed: [Vec<f64>; 2],
+}
+
+impl Sample {
+    pub(super) fn new(order: Components) -> Self {
+        let (components, bent) = (vec![0.0; order.count()], vec![false; order.contacts - 1]);
+        Self { components, bent, cancelled: 0.0, closed: Default::default() }
+    }
+}

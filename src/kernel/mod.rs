@@ -23,7 +23,7 @@ use crate::stack::Stack;
 use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain, Unresolved};
 
 pub(crate) use asymptote::{Asymptote, sum_of};
-use components::Components;
+use components::{Components, Sample};
 pub(crate) use depth::DepthWaves;
 use panel::At;
 pub(crate) use panel::{Panel, Values};
@@ -72,26 +72,6 @@ struct Chains {
     geometry: Geometry,
     length: f64,
     modulus: f64,
-}
-
-/// What is sampled at a wavenumber.
-struct Sample {
-    /// Diagonals, equal-pressure responses, couplings, and the sum of all equal-pressure responses.
-    components: Vec<f64>,
-    /// Whether equal pressures bend a laminate, at this wavenumber or another one since [`Sample::new`]: its equal-pressure response is then
-    /// no more accurate than the rounding error of its bending response.
-    bent: Vec<bool>,
-    /// Below the lowest contact, the largest bending response of a laminate that equal pressures bend, over 1 + ζ²: the compliance there has its rounding error.
-    cancelled: f64,
-    /// The responses of the lowest contact and of openings under equal pressures, as far as they are due to what is below that contact, and the bending responses of the laminates there.
-    closed: [Vec<f64>; 2],
-}
-
-impl Sample {
-    fn new(order: Components) -> Self {
-        let (components, bent) = (vec![0.0; order.count()], vec![false; order.contacts - 1]);
-        Self { components, bent, cancelled: 0.0, closed: Default::default() }
-    }
 }
 
 impl Chains {

@@ -7,8 +7,8 @@ use crate::numeric::{chebyshev, dot, quadrature};
 use crate::solution::Stats;
 use crate::system::Unresolved;
 
-use super::components::Components;
-use super::{Asymptote, Chains, Sample};
+use super::components::{Components, Sample};
+use super::{Asymptote, Chains};
 
 /// Gauss points per panel.
 pub(crate) const POINTS: usize = chebyshev::PANEL;
