@@ -126,5 +126,6 @@ pub use sweep::ParallelRows;
 pub use sweep::{Part, PartError, Probe, Row as SweepRow, Sweep, SweepPoint};
 pub use system::{BaseChain, FreeChain, Unresolved, WrongCount};
 pub use system::{
-    Block, BlockSystem, Blocks, Column, Component, Face, InterfaceSide, Place, Pressure, Quantity, Relation, Row, Term,
+    Block, BlockSystem, Blocks, Column, Component, Face, InterfaceSide, Place, Quantity, Relation, RightHandSide, Row,
+    Term,
 };

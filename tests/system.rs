@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use recede::layers::Body;
 use recede::{
     BaseChain, BlockSystem, Exponential, Face, FaceStates, FreeChain, HalfPlane, Homogeneous, InterfaceSide, Item,
-    Plane, Quantity, Relation, Spring, Stack, Wave, Winkler,
+    Plane, Quantity, Relation, RightHandSide, Scene, Spring, Stack, Wave, Winkler,
 };
 
 /// Relative error allowed: the dense system is solved without any care for digits.
@@ -63,8 +63,11 @@ impl<'a> Dense<'a> {
                     matrix[(i, amplitude - 1)] += sign * state;
                 }
             }
-            if let Some(pressure) = row_.pressure {
-                loads[(i, pressure.contact)] = -1.0;
+            match row_.right {
+                Some(RightHandSide::Pressure(contact)) => loads[(i, contact)] = -1.0,
+                // as the displacements, times λμ₀
+                Some(RightHandSide::Gap(contact)) => loads[(i, contact)] = 1.0,
+                None => {}
             }
         }
         // amplitudes differ in size from layer to layer
@@ -79,10 +82,58 @@ impl<'a> Dense<'a> {
 
     /// λμ₀V at a face of a layer under a unit pressure at a contact.
     fn deflection(&self, number: usize, face: Face, contact: usize) -> f64 {
+        self.amplitude(number, face, Quantity::V, contact)
+    }
+
+    /// A quantity at a face of a layer where a contact has a unit pressure or gap; displacements times λμ₀.
+    fn amplitude(&self, number: usize, face: Face, quantity: Quantity, contact: usize) -> f64 {
         let column = self.system.columns().iter().find(|column| column.number() == number).expect("a layer");
         let first = column.amplitudes().start() - 1;
-        let states = row(column.body(), face, Quantity::V, &self.wave);
+        let states = row(column.body(), face, quantity, &self.wave);
         states.iter().enumerate().map(|(i, state)| state * self.solutions[contact][first + i]).sum()
+    }
+}
+
+/// Where weights press layers together, the printed gap rows make the pressures of the inverse of all compliances, and a pressure on top the pressures below.
+#[test]
+fn gaps_that_are_prescribed_make_pressures() {
+    let layer = |modulus: f64| {
+        format!("Homogeneous(thickness: 0.7, shear_modulus: {modulus:?}, poisson: 0.25, specific_weight: 1)")
+    };
+    let text = format!(
+        "Scene(geometry: PlaneStrain, load: Line, force: 1.0, stack: [{}, Receding, {}, Bonded, {}, Receding, {}, Receding, HalfPlane(shear_modulus: 0.9, poisson: 0.3)])",
+        layer(1.0),
+        layer(2.0),
+        layer(0.5),
+        layer(3.0)
+    );
+    let stack = Scene::from_ron(&text).unwrap().stack().unwrap();
+    for wavenumber in [0.3, 1.0, 4.0] {
+        let wave = Wave { wavenumber, modulus: 1.7, plane: stack.plane() };
+        let (system, pressed) = (BlockSystem::new(&stack), BlockSystem::pressed(&stack));
+        assert!(pressed.to_string().contains("= g3") && !pressed.to_string().contains("= -p1"), "{pressed}");
+        let dense = Dense::new(&pressed, 4, wave);
+        // λμ₀ times the gap that pressures on all contacts make, the one on top with the number 0
+        let mut gaps = DMatrix::<f64>::zeros(4, 4);
+        for (i, laminate) in FreeChain::all(&system).iter().enumerate() {
+            let chain = laminate.flexibility(&wave).unwrap();
+            gaps[(i, i)] += chain.top;
+            gaps[(i + 1, i + 1)] -= chain.bottom;
+            (gaps[(i, i + 1)], gaps[(i + 1, i)]) = (chain.coupling, chain.coupling);
+        }
+        gaps[(3, 3)] += BaseChain::of(&system).flexibility(&wave).unwrap();
+        let below = gaps.view((1, 1), (3, 3)).into_owned();
+        let inverse = below.try_inverse().unwrap();
+        let largest = inverse.amax();
+        for (i, number) in [(0, 1), (1, 3), (2, 4)] {
+            for j in 0..3 {
+                let found = -dense.amplitude(number, Face::Bottom, Quantity::S, j + 1);
+                assert!((found - inverse[(i, j)]).abs() < 1e-9 * largest, "{i} {j}: {found} {}", inverse[(i, j)]);
+            }
+            let carried = -(0..3).map(|j| inverse[(i, j)] * gaps[(j + 1, 0)]).sum::<f64>();
+            let found = -dense.amplitude(number, Face::Bottom, Quantity::S, 0);
+            assert!((found - carried).abs() < 1e-9, "{i}: {found} {carried}");
+        }
     }
 }
 

@@ -26,7 +26,7 @@ pub struct ShowArguments {
 impl ShowArguments {
     pub fn run(&self, out: &mut dyn Write) -> Result<(), Failure> {
         let scene = self.file.read()?;
-        let system = BlockSystem::new(&scene.stack()?);
+        let system = BlockSystem::pressed(&scene.stack()?);
         if self.contacts {
             let model = Model::new(scene.stack()?)?;
             let ledger = model.press(&scene.top, scene.force).and_then(|found| model.ledger(&scene.top, &found));

@@ -29,4 +29,4 @@ pub use error::{Unresolved, WrongCount};
 pub use symbols::components::Component;
 pub use symbols::conditions::{Relation, Term};
 pub use symbols::matrix::{Block, BlockSystem, Blocks, Column, Row};
-pub use symbols::names::{Face, InterfaceSide, Place, Pressure, Quantity};
+pub use symbols::names::{Face, InterfaceSide, Place, Quantity, RightHandSide};

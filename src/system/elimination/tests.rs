@@ -26,7 +26,7 @@ fn residual(component: &Component<'_>, states: &AtFaces, loads: [f64; 2], wave: 
     let mut worst: f64 = 0.0;
     for interface in 0..=component.columns().len() {
         for row in component.rows_at(interface) {
-            let right = match (row.pressure, interface) {
+            let right = match (row.right, interface) {
                 (None, _) => 0.0,
                 (Some(_), 0) => loads[0],
                 _ => loads[1],

@@ -1,12 +1,12 @@
 //! The block matrix in LaTeX: an array, or a list of equations where an array would be too wide.
 use super::text::{MAX_COLUMNS, stiffness};
-use crate::system::{Block, BlockSystem, Face, Row};
+use crate::system::{Block, BlockSystem, Face, RightHandSide, Row};
 
 impl BlockSystem {
     /// The block matrix in LaTeX, to stand in a document that uses `amsmath`.
     ///
     /// 𝐜ᵢ is the column of amplitudes of layer i, 𝐒ᵢ with t or b the row by which S at its top or bottom face follows
-    /// from them, and p̂ₖ the transformed pressure of contact k.
+    /// from them, p̂ₖ the transformed pressure of contact k, and ĝₖ the transformed gap there.
     ///
     /// ```
     /// use recede::{BlockSystem, HalfPlane, Plane, Stack};
@@ -75,6 +75,10 @@ impl Row {
     }
 
     fn latex_right(&self) -> String {
-        self.pressure.map_or("= 0".into(), |pressure| format!(r"= -\hat{{p}}_{{{}}}", pressure.contact))
+        match self.right {
+            None => "= 0".to_owned(),
+            Some(RightHandSide::Pressure(contact)) => format!(r"= -\hat{{p}}_{{{contact}}}"),
+            Some(RightHandSide::Gap(contact)) => format!(r"= \hat{{g}}_{{{contact}}}"),
+        }
     }
 }

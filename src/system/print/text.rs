@@ -3,7 +3,7 @@ use std::fmt;
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use crate::system::{Block, BlockSystem, Column, Face, InterfaceSide, Place, Pressure, Quantity, Row};
+use crate::system::{Block, BlockSystem, Column, Face, InterfaceSide, Place, Quantity, RightHandSide, Row};
 
 /// Most columns of a table.
 pub(super) const MAX_COLUMNS: usize = 12;
@@ -66,13 +66,14 @@ impl Row {
             // the top face has one side only
             (None, 1) if self.place == Place::Punch => first.quantity.to_string(),
             (None, 1) => format!("{} {}", first.quantity, first.side()),
+            (None, _) if self.right.is_some() => format!("{} continuous but for a gap", first.quantity),
             (None, _) => format!("{} continuous", first.quantity),
         };
         format!("{} {condition}", self.place)
     }
 
     fn right_hand_side(&self) -> String {
-        self.pressure.map_or("= 0".into(), |pressure| format!("= {pressure}"))
+        self.right.map_or("= 0".into(), |right| format!("= {right}"))
     }
 }
 
@@ -86,9 +87,12 @@ impl fmt::Display for Row {
     }
 }
 
-impl fmt::Display for Pressure {
+impl fmt::Display for RightHandSide {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "-p{}", self.contact)
+        match self {
+            Self::Pressure(contact) => write!(f, "-p{contact}"),
+            Self::Gap(contact) => write!(f, "g{contact}"),
+        }
     }
 }
 

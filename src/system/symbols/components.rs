@@ -1,5 +1,5 @@
 //! The connected components of the block matrix: bodies that only the pressures of contacts hold together.
-use super::conditions::Relation;
+use super::conditions::{self, Relation};
 use super::matrix::{BlockSystem, Column, Row};
 use super::names::Face;
 use crate::stack::{Joint, Stack};
@@ -47,7 +47,7 @@ impl<'a> Component<'a> {
 
     /// Whether a contact presses on the lower face, so that nothing holds the component.
     pub fn is_free(&self) -> bool {
-        self.rows_at(self.columns.len()).any(|row| row.pressure.is_some())
+        self.rows_at(self.columns.len()).any(|row| row.right.is_some())
     }
 }
 
@@ -58,7 +58,7 @@ impl BlockSystem {
     /// # Errors
     /// [`WrongCount`] if they are more or fewer conditions than the bodies at a joint need.
     pub fn with_joints(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Result<Self, WrongCount> {
-        let system = Self::assembled(stack, joint);
+        let system = Self::assembled(stack, conditions::contact, joint);
         let components = system.components();
         let wrong = components.iter().find_map(Component::wrong_count);
         wrong.map_or(Ok(()), Err)?;
@@ -80,7 +80,7 @@ impl BlockSystem {
     pub fn components(&self) -> Vec<Component<'_>> {
         // rows connect neighbours only: the columns that are connected with the column before
         let mut is_joined = vec![false; self.columns().len()];
-        for row in self.rows().iter().filter(|row| row.pressure.is_none()) {
+        for row in self.rows().iter().filter(|row| row.right.is_none()) {
             for pair in row.blocks.windows(2).filter(|pair| pair[0].column != pair[1].column) {
                 is_joined[pair[0].column.max(pair[1].column)] = true;
             }

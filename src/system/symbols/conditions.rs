@@ -5,7 +5,7 @@
 //! its stresses. So a rigid base needs no relations of its own.
 use std::ops::Neg;
 
-use super::names::{InterfaceSide, Pressure, Quantity};
+use super::names::{InterfaceSide, Quantity, RightHandSide};
 use crate::stack::Joint;
 use InterfaceSide::{Above, Below};
 use Quantity::{S, T, U, V};
@@ -19,7 +19,7 @@ pub struct Term {
     pub(super) stiffness: Option<f64>,
 }
 
-/// One scalar condition at an interface: up to four terms whose sum is zero, or minus the pressure of a contact.
+/// One scalar condition at an interface: up to four terms whose sum is zero, minus the pressure of a contact, or a gap.
 ///
 /// ```
 /// use recede::{Quantity, Relation, InterfaceSide};
@@ -32,7 +32,7 @@ pub struct Term {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Relation {
     pub(super) terms: [Option<Term>; 4],
-    pub(super) pressure: Option<Pressure>,
+    pub(super) right: Option<RightHandSide>,
 }
 
 impl InterfaceSide {
@@ -66,16 +66,24 @@ impl Relation {
     /// ```
     pub fn zero<const N: usize>(terms: [Term; N]) -> Self {
         const { assert!(N <= 4, "a relation has four terms at most") };
-        Self { terms: std::array::from_fn(|i| terms.get(i).copied()), pressure: None }
+        Self { terms: std::array::from_fn(|i| terms.get(i).copied()), right: None }
     }
 }
 
 /// A contact, of the punch or at a receding interface: no shear, and the same pressure on both sides.
 pub(super) fn contact(contact: usize) -> [Relation; 4] {
-    let pressed =
-        |side: InterfaceSide| Relation { pressure: Some(Pressure { contact }), ..Relation::zero([side.of(S)]) };
+    let right = Some(RightHandSide::Pressure(contact));
+    let pressed = |side: InterfaceSide| Relation { right, ..Relation::zero([side.of(S)]) };
     let sheared = |side: InterfaceSide| Relation::zero([side.of(T)]);
     [pressed(Above), sheared(Above), pressed(Below), sheared(Below)]
+}
+
+/// A receding interface that weights press together: no shear, the same pressure on both sides, and a gap, which is zero but in openings.
+pub(super) fn pressed(contact: usize) -> [Relation; 4] {
+    let right = Some(RightHandSide::Gap(contact));
+    // of a joint that slides
+    let [above, across, transmitted, below] = joint(&Joint::SLIDING);
+    [above, Relation { right, ..across }, transmitted, below]
 }
 
 /// An interface that stays closed: the jump of each displacement, then the stresses that are transmitted.

@@ -4,7 +4,7 @@ use std::ops::{Deref, RangeInclusive};
 use recede_layers::{Body, Plane};
 
 use super::conditions::{self, Relation, Term};
-use super::names::{Face, InterfaceSide, Place, Pressure, Quantity};
+use super::names::{Face, InterfaceSide, Place, Quantity, RightHandSide};
 use crate::stack::{Joint, Stack};
 
 /// A layer or a support with its amplitudes.
@@ -83,7 +83,7 @@ pub struct Row {
     /// The blocks from left to right; all others are zero.
     pub blocks: Blocks,
     /// The right-hand side; `None` is zero.
-    pub pressure: Option<Pressure>,
+    pub right: Option<RightHandSide>,
 }
 
 /// The block matrix of a stack. Prints as a table, rows named by condition, columns by layer.
@@ -110,11 +110,32 @@ pub struct BlockSystem {
 impl BlockSystem {
     /// The block system of a stack, from the top down.
     pub fn new(stack: &Stack) -> Self {
-        Self::assembled(stack, conditions::joint)
+        Self::assembled(stack, conditions::contact, conditions::joint)
     }
 
-    /// The block system with given relations at each joint, whose number is not checked.
-    pub(super) fn assembled(stack: &Stack, joint: impl Fn(&Joint) -> [Relation; 4]) -> Self {
+    /// The same with a gap in place of a pressure at each receding interface that weights press together.
+    ///
+    /// ```
+    /// use recede::{BlockSystem, Scene};
+    /// let scene = Scene::from_ron("Scene(geometry: PlaneStrain, load: Line, force: 1.0, stack: [
+    ///     Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25, specific_weight: 1.0), Receding,
+    ///     HalfPlane(shear_modulus: 1.0, poisson: 0.25)])")?;
+    /// let system = BlockSystem::pressed(&scene.stack()?);
+    /// assert_eq!(system.rows()[3].to_string(), "1|2 V continuous but for a gap: +V(bottom of 1) -V(top of 2) = g1");
+    /// # Ok::<(), recede::Error>(())
+    /// ```
+    pub fn pressed(stack: &Stack) -> Self {
+        let loose = stack.loose();
+        let contact = |i: usize| if i > loose { conditions::pressed(i) } else { conditions::contact(i) };
+        Self::assembled(stack, contact, conditions::joint)
+    }
+
+    /// The block system with given relations at each contact and joint, whose number is not checked.
+    pub(super) fn assembled(
+        stack: &Stack,
+        contacts: impl Fn(usize) -> [Relation; 4],
+        joint: impl Fn(&Joint) -> [Relation; 4],
+    ) -> Self {
         let mut system = Self { plane: stack.plane(), columns: Vec::new(), rows: Vec::new() };
         let mut last: Option<usize> = None;
         for (contact, (interface, group)) in stack.contacts().into_iter().zip(stack.groups()).enumerate() {
@@ -125,7 +146,7 @@ impl BlockSystem {
                         let relations = joint(group.joints().get(i).unwrap_or(&Joint::BONDED));
                         (Place::Between { above, below: number }, relations)
                     }
-                    _ => (interface, conditions::contact(contact)),
+                    _ => (interface, contacts(contact)),
                 };
                 // a rigid base has no column
                 let below = body.map(|body| system.column(number, body));
@@ -168,7 +189,7 @@ impl BlockSystem {
     /// stresses are not unknowns.
     fn interface(&mut self, place: Place, columns: [Option<usize>; 2], relations: [Relation; 4]) {
         let [above, below] = columns;
-        for Relation { terms, pressure } in relations {
+        for Relation { terms, right } in relations {
             let there = |term: &Term| match term.side {
                 InterfaceSide::Above => above.map(|column| (column, Face::Bottom)),
                 InterfaceSide::Below => below.map(|column| (column, Face::Top)),
@@ -186,7 +207,7 @@ impl BlockSystem {
             }
             // conditions on a rigid body alone are satisfied
             if !blocks.is_empty() {
-                self.rows.push(Row { place, blocks, pressure });
+                self.rows.push(Row { place, blocks, right });
             }
         }
     }

@@ -48,9 +48,11 @@ pub enum InterfaceSide {
     Below,
 }
 
-/// Right-hand side of a row that is loaded: minus the transformed pressure of a contact.
+/// Right-hand side of a row that is loaded, with the index of the contact, from 0 for the punch; see [`crate::Stack::contacts`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pressure {
-    /// Index of the contact, from 0 for the punch; see [`crate::Stack::contacts`].
-    pub contact: usize,
+pub enum RightHandSide {
+    /// Minus the transformed pressure of a contact.
+    Pressure(usize),
+    /// The transformed gap at an interface that weights press together.
+    Gap(usize),
 }
