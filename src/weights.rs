@@ -190,9 +190,10 @@ impl Weights {
         let (mut zeta, mut weights) = (Vec::new(), Vec::new());
         let matters = |panel: &&Panel| panel.couplings[pair] > NEGLIGIBLE && panel.from * reach < MOST_PHASE;
         for panel in kernel.panels.iter().filter(matters) {
-            let needed = points(reach * (panel.to - panel.from), DIGITS);
+            let to = panel.to.min(MOST_PHASE / reach);
+            let needed = points(reach * (to - panel.from), DIGITS);
             let parts = needed.div_ceil(LARGEST);
-            let at = |k: usize| panel.from + (panel.to - panel.from) * k as f64 / parts as f64;
+            let at = |k: usize| panel.from + (to - panel.from) * k as f64 / parts as f64;
             for part in 0..parts {
                 let nodes = rule(needed.div_ceil(parts)).on(at(part), at(part + 1));
                 let passed = nodes.map(|(zeta, weight)| (zeta, weight * kernel.coupling(pair, zeta)));

@@ -41,6 +41,8 @@ pub(crate) struct Layout {
     pub(crate) depths: RefCell<Vec<Rc<Depth>>>,
     /// Of intervals: beyond its wavenumbers each contact has tails of its intervals, from here on; infinite where it has none.
     pub(crate) tails_from: Vec<f64>,
+    /// Whether waves are left out that matter to fields next to what presses alone.
+    pub(crate) is_for_far_places: bool,
 }
 
 /// What a layout of intervals is laid for, of each contact.
@@ -164,6 +166,7 @@ impl Layout {
             coupling: (0..kernel.pairs()).map(|_| Vec::with_capacity(USUAL)).collect(),
             depths: RefCell::default(),
             tails_from: Vec::new(),
+            is_for_far_places: false,
         }
     }
 
@@ -202,6 +205,7 @@ impl Layout {
         let parts = needed.div_ceil(LARGEST).min(MOST_WAVENUMBERS / LARGEST + 1);
         if plan.span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
+            self.is_for_far_places = true;
             return;
         }
         let points = rule(needed.div_ceil(parts).clamp(8, LARGEST));

@@ -9,6 +9,7 @@ use crate::contact::intervals::of_contacts;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::closed::ClosedPressure;
 use crate::contact::problem::{Problem, Side};
 use crate::numeric::largest;
 use crate::solution::{ClosedInterface, Contact, Opening, Strip};
@@ -17,6 +18,8 @@ use crate::solution::{ClosedInterface, Contact, Opening, Strip};
 const PLACES: usize = 16;
 const WAVES: f64 = 2.0;
 const FARTHER: f64 = 0.1;
+/// Pressures are looked at by distances that differ by this factor. Half or twice of it: nothing.
+const NEARER: f64 = 8.0;
 /// Halvings of what the largest gap lies in.
 const HALVINGS: usize = 50;
 
@@ -54,9 +57,8 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
     let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
     lengths.exponentials.iter_mut().for_each(Vec::clear);
     let (reach, farthest) = (largest(lengths.ends.iter().copied()), 0.5 * problem.kernel.farthest());
-    let layout = Layout::new(problem.kernel, &lengths, negligible(FIELDS), reach + farthest);
-    let layout = layout.ok_or(Fault::Unknown)?;
-    let own = Gaps::new(problem, &layout, level);
+    let layouts = layouts(problem, &lengths, negligible(FIELDS), reach + farthest).ok_or(Fault::Unknown)?;
+    let own = Pressures::new(problem, &layouts, level);
     let mut found = Vec::new();
     for contact in opened {
         let Side::Openings(pressed) = &problem.sides[contact] else { continue };
@@ -68,7 +70,7 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
         let mut places: Vec<f64> = places(intervals, reach, farthest, step);
         // what is even is looked at on the right
         places.retain(|x| is_closed(x) && (*x >= 0.0 || !problem.is_even()));
-        let pressures = own.pressures(contact, pressed, &places);
+        let pressures = own.at(contact, pressed, &places);
         let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
         if pressures[least] < -COARSE.max(error) * weight {
             let is_tensile = |k: &usize| pressures[*k] < 0.0;
@@ -84,6 +86,45 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
         found.push(Least([left, at(least), at(least + 1)]));
     }
     Ok(found)
+}
+
+/// Layouts that resolve pressures out to some distances, the farthest first: near what presses shorter waves matter than far from there.
+fn layouts(problem: &Problem, lengths: &Lengths, negligible: f64, farthest: f64) -> Option<Vec<(f64, Layout)>> {
+    let reach = largest(lengths.ends.iter().copied());
+    let mut all = Vec::new();
+    let mut span = farthest;
+    loop {
+        let layout = Layout::new(problem.kernel, lengths, negligible, span)?;
+        let is_last = !layout.is_for_far_places || span <= reach;
+        all.push((span, layout));
+        if is_last {
+            return Some(all);
+        }
+        span /= NEARER;
+    }
+}
+
+/// The pressures on interfaces that a solution leaves, by the distances that layouts resolve.
+struct Pressures<'a>(Vec<(f64, Gaps<'a>)>);
+
+impl<'a> Pressures<'a> {
+    fn new(problem: &'a Problem<'a>, layouts: &'a [(f64, Layout)], level: &'a Approximation) -> Self {
+        Self(layouts.iter().map(|(span, layout)| (*span, Gaps::new(problem, layout, level))).collect())
+    }
+
+    /// At places outside openings, from the pressure of the interface while nothing else presses.
+    fn at(&self, contact: usize, pressed: &ClosedPressure, places: &[f64]) -> Vec<f64> {
+        let mut all = vec![0.0; places.len()];
+        for (k, (span, gaps)) in self.0.iter().enumerate() {
+            let next = self.0.get(k + 1).map_or(f64::NEG_INFINITY, |(span, _)| *span);
+            let is_own = |x: &f64| (k == 0 || x.abs() <= *span) && x.abs() > next;
+            let numbers: Vec<usize> = (0..places.len()).filter(|number| is_own(&places[*number])).collect();
+            let own: Vec<f64> = numbers.iter().map(|number| places[*number]).collect();
+            let pressures = gaps.pressures(contact, pressed, &own);
+            numbers.iter().zip(pressures).for_each(|(number, pressure)| all[*number] = pressure);
+        }
+        all
+    }
 }
 
 /// Places from far on the left to far on the right, dense next to openings.
@@ -118,8 +159,9 @@ pub(super) fn found(
         lengths.turned[contact] = lengths.turned[contact].max(enough);
         lengths.exponentials[contact] = asymptote.exponentials();
     }
-    let layout = Layout::new(problem.kernel, &lengths, negligible, problem.origin.abs())?;
-    let own = Gaps::new(problem, &layout, level);
+    let farthest = least.iter().flat_map(|own| own.0).fold(problem.origin.abs(), |most, x| most.max(x.abs()));
+    let layouts = layouts(problem, &lengths, negligible, farthest)?;
+    let own = Pressures::new(problem, &layouts, level);
     let of = |(contact, least): (usize, &Least)| {
         let Side::Openings(pressed) = &problem.sides[contact] else { return None };
         let weight = pressed.weight;
@@ -135,7 +177,7 @@ pub(super) fn found(
         let x = -problem.origin;
         // it is zero where an opening ends
         let end = openings.last().map(|last| (0.0, last.right));
-        let pressures = |places: &[f64]| own.pressures(contact, pressed, places);
+        let pressures = |places: &[f64]| own.at(contact, pressed, places);
         let (smallest_pressure, smallest_at) = end.unwrap_or_else(|| least.refined(pressures));
         let is_open = openings.iter().any(|own| own.left <= x && x <= own.right);
         let central = if is_open { 0.0 } else { pressures(&[x])[0] };
