@@ -5,10 +5,10 @@
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::field::ContactPressure;
-use crate::kernel::{Kernel, Panel};
+use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::numeric::quadrature::{LARGEST, points, rule};
-use crate::numeric::waves::Waves;
+use crate::numeric::waves::{Waves, fades};
 use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::stack::{Dent, Stack};
 use crate::system::Unresolved;
@@ -31,6 +31,8 @@ const COARSEST: f64 = 1e-9;
 /// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
 const NEGLIGIBLE: f64 = 1e-14;
 const MOST_PHASE: f64 = 3e4;
+/// Pressures are looked at by distances that differ by this factor.
+const NEARER: f64 = 8.0;
 /// Places in all that presses at most.
 const MOST_PLACES: f64 = 2000.0;
 /// Digits of the sums.
@@ -50,6 +52,17 @@ pub(crate) struct Weights {
     pub(crate) by_dents: Vec<Waves>,
     /// How far dents that are pressed flat lower the face below the contact above.
     pub(crate) hollow: Option<Waves>,
+}
+
+/// The waves of one pressure, by the distances at which they are looked at, the farthest first.
+struct ByDistance(Vec<(f64, Waves)>);
+
+impl ByDistance {
+    /// The waves to look at from there.
+    fn near(&self, x: f64) -> &Waves {
+        let nearest = self.0.iter().rev().find(|(distance, _)| x.abs() <= *distance);
+        &nearest.unwrap_or(&self.0[0]).1
+    }
 }
 
 impl Weights {
@@ -90,9 +103,8 @@ impl Weights {
         let mut tensile = None;
         let mut deepest = 0.0;
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
-            let waves = self.waves(i + 1, (&pressure, is_even), &ends);
-            let waves = self.with_dents(i + 1, waves, middle, self.farthest() + longest(ends.iter().copied()));
-            let [central, _] = waves.at(-middle);
+            let waves = self.by_distance(i + 1, (&pressure, is_even), &ends, middle);
+            let [central, _] = waves.near(-middle).at(-middle);
             let (x, least, tension) = self.least(&waves, *weight, &ends);
             // where one interface opens, others need not
             if let Some(ends) = tension.filter(|_| -least / weight > deepest) {
@@ -180,17 +192,35 @@ impl Weights {
         self.kernel.neighbours(own).find(|(there, _)| *there == other).map(|(_, pair)| pair)
     }
 
-    /// The waves of the pressure on interface i that what presses above makes, which has these ends.
-    fn waves(&self, i: usize, (pressure, is_even): (&ContactPressure, bool), ends: &[f64]) -> Waves {
+    /// The waves of the pressure on interface i about a middle by the distances at which they are looked at, the farthest first: near what presses above, which has these ends, shorter waves matter than far
+    /// from there.
+    fn by_distance(&self, i: usize, pressure: (&ContactPressure, bool), ends: &[f64], middle: f64) -> ByDistance {
+        let (mut all, mut distance, pressed) = (Vec::new(), self.farthest(), longest(ends.iter().copied()));
+        loop {
+            let (waves, is_whole) = self.waves(i, pressure, distance + 2.0 * pressed);
+            all.push((distance, self.with_dents(i, waves, middle, distance + pressed)));
+            if is_whole || distance <= pressed {
+                return ByDistance(all);
+            }
+            distance /= NEARER;
+        }
+    }
+
+    /// The waves of the pressure on interface i that what presses above makes, at places as far as this from its ends, and whether none are left out that matter nearer to it.
+    fn waves(&self, i: usize, (pressure, is_even): (&ContactPressure, bool), reach: f64) -> (Waves, bool) {
         let (kernel, is_round) = (&self.kernel, self.kernel.geometry().is_axisymmetric());
         let length = kernel.length();
         let pair = self.coupling(0, i).unwrap_or_default();
         // a wave at the farthest place looked at, times the transform of a pressure at the farthest end
-        let reach = (self.farthest() + 2.0 * longest(ends.iter().copied())) / length;
-        let (mut zeta, mut weights) = (Vec::new(), Vec::new());
-        let matters = |panel: &&Panel| panel.couplings[pair] > NEGLIGIBLE && panel.from * reach < MOST_PHASE;
-        for panel in kernel.panels.iter().filter(matters) {
-            let to = panel.to.min(MOST_PHASE / reach);
+        let reach = reach / length;
+        let last = MOST_PHASE / reach;
+        let (mut zeta, mut weights, mut is_whole) = (Vec::new(), Vec::new(), true);
+        for panel in kernel.panels.iter().filter(|panel| panel.couplings[pair] > NEGLIGIBLE) {
+            is_whole &= panel.to <= last;
+            if panel.from >= last {
+                break;
+            }
+            let to = panel.to.min(last);
             let needed = points(reach * (to - panel.from), DIGITS);
             let parts = needed.div_ceil(LARGEST);
             let at = |k: usize| panel.from + (to - panel.from) * k as f64 / parts as f64;
@@ -203,6 +233,10 @@ impl Weights {
                 });
             }
         }
+        // an abrupt end would be seen far away
+        if !is_whole {
+            zeta.iter().zip(&mut weights).for_each(|(wave, weight)| *weight *= fades(*wave, last / length));
+        }
         let transforms = pressure.transforms(&zeta);
         let measure = |wave: f64| if is_round { wave } else { PI.recip() };
         let factors: Vec<f64> = zeta.iter().zip(&weights).map(|(wave, weight)| weight * measure(*wave)).collect();
@@ -210,7 +244,7 @@ impl Weights {
         // of what is even the imaginary parts mean nothing
         let odd = factors.iter().zip(&transforms).map(|(factor, transform)| factor * transform.value.im);
         let odd = if is_even { vec![0.0; factors.len()] } else { odd.collect() };
-        Waves { wavenumbers: zeta, amplitudes: [even, odd], is_even, is_round }
+        (Waves { wavenumbers: zeta, amplitudes: [even, odd], is_even, is_round }, is_whole)
     }
 
     /// Waves about a middle on interface i with what dents that are pressed flat add: to take away the slope of a gap g makes the pressure μ₀M ĝ', with ĝ' = −λĝ, and lowers the face
@@ -248,23 +282,26 @@ impl Weights {
     }
 
     /// Where waves are lowest, how low they are there, and from where to where layers come apart about that if this is more tension than a weight is pressure.
-    fn least(&self, waves: &Waves, weight: f64, ends: &[f64]) -> (f64, f64, Option<[f64; 2]>) {
+    fn least(&self, all: &ByDistance, weight: f64, ends: &[f64]) -> (f64, f64, Option<[f64; 2]>) {
         let farthest = self.farthest();
         let [from, to] = [ends[0] - farthest, ends[ends.len() - 1] + farthest];
-        let shortest = (STEP * 2.0 * PI / waves.mean_wavenumber()).min(farthest / PARTS).max((to - from) / MOST_PLACES);
-        let mut places = vec![if waves.is_even { 0.0 } else { from }];
+        let nearest = all.near(0.0);
+        let shortest =
+            (STEP * 2.0 * PI / nearest.mean_wavenumber()).min(farthest / PARTS).max((to - from) / MOST_PLACES);
+        let mut places = vec![if nearest.is_even { 0.0 } else { from }];
         while let Some(last) = places.last().copied().filter(|last| *last < to) {
             let nearest = ends.iter().map(|end| (last - end).abs()).fold(f64::INFINITY, f64::min);
             places.push(last + shortest.max(FARTHER * nearest));
         }
-        let looks: Vec<[f64; 2]> = places.iter().map(|x| waves.at(*x)).collect();
+        let looks: Vec<[f64; 2]> = places.iter().map(|x| all.near(*x).at(*x)).collect();
         let last = places.len() - 1;
         // what is even is flat at x = 0, too
-        let flat = if waves.is_even && looks[0][0] < looks[last][0] { 0 } else { last };
+        let flat = if nearest.is_even && looks[0][0] < looks[last][0] { 0 } else { last };
         let (mut x, mut least) = (places[flat], looks[flat][0]);
         for k in (0..last).filter(|k| looks[*k][1] < 0.0 && looks[k + 1][1] >= 0.0) {
             // the lowest of several is seen from nearby
             if looks[k][0].min(looks[k + 1][0]) < NEARLY * least {
+                let waves = all.near(places[k]);
                 let place = waves.flat([places[k], places[k + 1]], [looks[k][1], looks[k + 1][1]]);
                 let [value, _] = waves.at(place);
                 if value < least {

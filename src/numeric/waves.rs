@@ -18,6 +18,20 @@ pub(crate) struct Waves {
     pub(crate) is_round: bool,
 }
 
+/// A smooth step from 1 at a quarter of a wavenumber to 0 there.
+pub(crate) fn fades(wave: f64, end: f64) -> f64 {
+    smooth_step((4.0 * wave / end - 1.0) / 3.0)
+}
+
+/// A smooth step from 1 at t = 0 to 0 at t = 1.
+pub(crate) fn smooth_step(t: f64) -> f64 {
+    match t {
+        t if t <= 0.0 => 1.0,
+        t if t >= 1.0 => 0.0,
+        t => 0.5 * libm::erfc(3.5 * (2.0 * t - 1.0) / (4.0 * t * (1.0 - t)).sqrt()),
+    }
+}
+
 impl Waves {
     /// The value at a place, and its derivative.
     pub(crate) fn at(&self, x: f64) -> [f64; 2] {

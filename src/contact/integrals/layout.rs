@@ -11,6 +11,7 @@ use crate::contact::problem::twin::Twin;
 use crate::kernel::{DepthWaves, Kernel, Panel, Values, sum_of};
 use crate::numeric::means::MeanWindow;
 use crate::numeric::quadrature::{LARGEST, points, rule};
+use crate::numeric::waves::fades;
 
 /// Stretches with more such parts are left out of fields.
 const MOST_PARTS: usize = 8;
@@ -41,8 +42,8 @@ pub(crate) struct Layout {
     pub(crate) depths: RefCell<Vec<Rc<Depth>>>,
     /// Of intervals: beyond its wavenumbers each contact has tails of its intervals, from here on; infinite where it has none.
     pub(crate) tails_from: Vec<f64>,
-    /// Whether waves are left out that matter to fields next to what presses alone.
-    pub(crate) is_for_far_places: bool,
+    /// The wavenumber from which on waves are left out that matter to fields near what presses alone; infinite if there are none.
+    pub(crate) left_out_from: f64,
 }
 
 /// What a layout of intervals is laid for, of each contact.
@@ -149,6 +150,18 @@ impl Layout {
         Some(layout)
     }
 
+    /// Lets waves fade before the first ones that are left out: an abrupt end would be seen far away.
+    pub(crate) fn faded(mut self) -> Self {
+        if self.left_out_from.is_infinite() {
+            return self;
+        }
+        let factors: Vec<f64> = self.zeta.iter().map(|zeta| fades(*zeta, self.left_out_from)).collect();
+        for weights in self.own.iter_mut().map(|own| &mut own.unit).chain(&mut self.coupling) {
+            weights.iter_mut().zip(&factors).for_each(|(weight, factor)| *weight *= factor);
+        }
+        self
+    }
+
     /// Without wavenumbers.
     fn empty(kernel: &Kernel, negligible: f64) -> Self {
         let n = kernel.contacts();
@@ -166,7 +179,7 @@ impl Layout {
             coupling: (0..kernel.pairs()).map(|_| Vec::with_capacity(USUAL)).collect(),
             depths: RefCell::default(),
             tails_from: Vec::new(),
-            is_for_far_places: false,
+            left_out_from: f64::INFINITY,
         }
     }
 
@@ -205,7 +218,7 @@ impl Layout {
         let parts = needed.div_ceil(LARGEST).min(MOST_WAVENUMBERS / LARGEST + 1);
         if plan.span > 0.0 && parts > MOST_PARTS {
             // far from a contact, waves so much shorter than the distance do not matter
-            self.is_for_far_places = true;
+            self.left_out_from = self.left_out_from.min(from);
             return;
         }
         let points = rule(needed.div_ceil(parts).clamp(8, LARGEST));

@@ -94,8 +94,8 @@ fn layouts(problem: &Problem, lengths: &Lengths, negligible: f64, farthest: f64)
     let mut all = Vec::new();
     let mut span = farthest;
     loop {
-        let layout = Layout::new(problem.kernel, lengths, negligible, span)?;
-        let is_last = !layout.is_for_far_places || span <= reach;
+        let layout = Layout::new(problem.kernel, lengths, negligible, span)?.faded();
+        let is_last = layout.left_out_from.is_infinite() || span <= reach;
         all.push((span, layout));
         if is_last {
             return Some(all);

@@ -4,6 +4,7 @@ use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::problem::face::Face;
 use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
+use crate::numeric::waves::smooth_step;
 use crate::scene::{Gap, Punch, Shape};
 
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
@@ -172,9 +173,6 @@ impl<'a> PunchProfile<'a> {
 pub(crate) fn continued(modes: &mut Vec<f64>, local: &[f64]) {
     let from = modes.len();
     for (m, y) in local.iter().enumerate().skip(from) {
-        // a smooth step from 1 to 0
-        let t = (m - from) as f64 / (local.len() - from) as f64;
-        let step = if t == 0.0 { 1.0 } else { 0.5 * libm::erfc(3.5 * (2.0 * t - 1.0) / (4.0 * t * (1.0 - t)).sqrt()) };
-        modes.push(step * y);
+        modes.push(smooth_step((m - from) as f64 / (local.len() - from) as f64) * y);
     }
 }
