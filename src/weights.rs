@@ -33,8 +33,6 @@ const NEGLIGIBLE: f64 = 1e-14;
 const MOST_PHASE: f64 = 3e4;
 /// Pressures are looked at by distances that differ by this factor.
 const NEARER: f64 = 8.0;
-/// Places in all that presses at most.
-const MOST_PLACES: f64 = 2000.0;
 /// Digits of the sums.
 const DIGITS: f64 = 15.0;
 /// The part of the pressures that rounding and sums leave.
@@ -286,12 +284,11 @@ impl Weights {
         let farthest = self.farthest();
         let [from, to] = [ends[0] - farthest, ends[ends.len() - 1] + farthest];
         let nearest = all.near(0.0);
-        let shortest =
-            (STEP * 2.0 * PI / nearest.mean_wavenumber()).min(farthest / PARTS).max((to - from) / MOST_PLACES);
+        let shortest = (STEP * 2.0 * PI / nearest.mean_wavenumber()).min(farthest / PARTS);
         let mut places = vec![if nearest.is_even { 0.0 } else { from }];
         while let Some(last) = places.last().copied().filter(|last| *last < to) {
             let nearest = ends.iter().map(|end| (last - end).abs()).fold(f64::INFINITY, f64::min);
-            places.push(last + shortest.max(FARTHER * nearest));
+            places.push((last + shortest.max(FARTHER * nearest)).min(to));
         }
         let looks: Vec<[f64; 2]> = places.iter().map(|x| all.near(*x).at(*x)).collect();
         let last = places.len() - 1;
