@@ -55,6 +55,7 @@ mod many_loads;
 mod maps;
 mod merge;
 mod moved_loads;
+mod near_and_far;
 mod neighbours;
 #[cfg(unix)]
 mod outputs;
