@@ -138,7 +138,14 @@ impl Chains {
             equal[n - 1 - self.lowest] += self.base.counted_flexibility(&wave, stats).ok_or_else(failed)?;
             let noisy = bending.iter().zip(&bent[self.lowest..]).filter(|(_, bent)| **bent);
             *cancelled = noisy.map(|(bending, _)| bending.abs()).fold(0.0, f64::max) / (1.0 + zeta * zeta);
-            openings::add_openings(order, &ClosedContacts::new(equal, bending), components);
+            let closed = (!bending.is_empty()).then(|| ClosedContacts::new(equal, bending));
+            let compliance = closed.as_ref().map_or(equal[0], ClosedContacts::compliance);
+            for component in [self.lowest, order.equal(self.lowest), order.squeezed()] {
+                components[component] += compliance;
+            }
+            if let Some(closed) = closed {
+                openings::set_openings(order, &closed, components);
+            }
         }
         if let (Some(second), true) = (&self.second, is_wanted(0)) {
             let c = second.counted_flexibility(&wave, stats).ok_or_else(failed)?;

@@ -32,12 +32,9 @@ impl Kernel {
     }
 }
 
-/// Adds the components of what lies below the lowest contact, as they stand in a sample.
-pub(super) fn add_openings(order: Components, closed: &ClosedContacts, components: &mut [f64]) {
+/// The components of openings, as they stand in a sample.
+pub(super) fn set_openings(order: Components, closed: &ClosedContacts, components: &mut [f64]) {
     let Components { lowest, contacts } = order;
-    for component in [lowest, order.equal(lowest), order.squeezed()] {
-        components[component] += closed.compliance();
-    }
     for i in lowest + 1..contacts {
         let own = closed.pressure(i - lowest, i - lowest);
         (components[i], components[order.equal(i)]) = (own, own);
