@@ -126,7 +126,7 @@ impl ContactError {
 /// Why no admissible contact was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoSolution {
-    /// Layers that weights press together come apart, which is not solved for here.
+    /// Layers that weights press together come apart about an axis, which is not solved for.
     #[error(
         "the layers at the contact {interface} come apart at {x:.6}: all is closed up to the force {critical_force:.9e} only"
     )]

@@ -18,7 +18,7 @@ use crate::solution::{ClosedInterface, Contact, Opening, Strip};
 const PLACES: usize = 16;
 const WAVES: f64 = 2.0;
 const FARTHER: f64 = 0.1;
-/// Pressures are looked at by distances that differ by this factor. Half or twice of it: nothing.
+/// Pressures are looked at by distances that differ by this factor.
 const NEARER: f64 = 8.0;
 /// Halvings of what the largest gap lies in.
 const HALVINGS: usize = 50;
