@@ -137,6 +137,9 @@ impl Weights {
             let tension = |own: &ClosedInterface| 1.0 - own.smallest_pressure / own.weight;
             all.map(|own| (tension(&own), own)).max_by(|(a, _), (b, _)| a.total_cmp(b))
         };
+        if self.is_open_at_rest() {
+            return None;
+        }
         let (mut factor, mut power, (mut tension, mut own)) = (1.0, 1.0, opens(solution)?);
         let (mut below, mut above) = (0.0, f64::INFINITY);
         let is_found = |tension: f64| is_linear || (tension - 1.0).abs() < ENOUGH;
@@ -171,6 +174,15 @@ impl Weights {
         let critical_force = factor * tension.powf(-1.0 / power) * solution.force();
         let critical_force_error = (self.above_error(solution) + missed) * critical_force;
         Some(Separation { critical_force, critical_force_error, interface: own.interface, x: own.smallest_at })
+    }
+
+    /// Whether a dent is too deep for the weights to press it flat while nothing else presses.
+    fn is_open_at_rest(&self) -> bool {
+        let pulls = |(waves, (_, weight)): (&Waves, &(Interface, f64))| {
+            let all = ByDistance(vec![(self.farthest(), waves.clone())]);
+            self.least(&all, *weight, &[0.0]).1 < -weight
+        };
+        self.by_dents.iter().zip(&self.interfaces).any(pulls)
     }
 
     /// The relative error of what presses on the contact above.
