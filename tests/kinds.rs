@@ -43,9 +43,11 @@ fn fields_carry_the_pressures() {
         let model = Model::new(stack).unwrap();
         let field = model.field(&solution).unwrap();
         let top = &solution.contacts()[0];
-        let size = solution.force() / top.half_length().unwrap().max(1e-2);
+        let first = &top.intervals()[0];
+        let [middle, half] = [0.5 * (first.left + first.right), (0.5 * (first.right - first.left)).max(1e-2)];
+        let size = solution.force() / half;
         for s in [0.31, 0.77, 1.4] {
-            let x = s * top.half_length().unwrap().max(1e-2);
+            let x = middle + s * half;
             let point = field.at(x, 0.0).unwrap();
             // next to kinks pressures are series that end
             let error = 1e-5 * size;

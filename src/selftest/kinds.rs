@@ -87,6 +87,9 @@ pub fn about_axis(mut scene: Scene) -> Scene {
         };
     }
     for item in &mut scene.stack {
+        if matches!(&*item, Item::RecedingGap(gap) if gap.shape().even_curvature().is_none()) {
+            *item = Item::Receding;
+        }
         let Item::Layer(layer) = &*item else { continue };
         let modulus = layer.material(0.0, Plane::Strain).shear_compliance.recip();
         let isotropic = match (layer.notation().kind, layer.thickness()) {
@@ -146,12 +149,10 @@ impl Kinds {
         Loads::new(&loads)
     }
 
-    /// Loose layers are pressed together in some scenes, so that the force is some tens to some thousands of times what presses on a length of the thickness.
+    /// Loose layers are pressed together in some scenes.
     fn pressure_on_top(&self, scenario: &Scenario, items: &[Item]) -> f64 {
         match self.joints.first() {
-            Some((3, normal, _)) if items.iter().any(Item::is_receding) => {
-                scenario.force / (scenario.thickness() * 10f64.powf(2.5 + 0.5 * normal))
-            }
+            Some((3, normal, _)) if items.iter().any(Item::is_receding) => pressed_with(scenario, *normal / 3.0),
             _ => 0.0,
         }
     }
@@ -176,8 +177,21 @@ impl Kinds {
                 (Item::Bonded, 2) => Item::Spring(Spring::new(stiffness(normal), Some(stiffness(tangential)))?),
                 // apart from the start
                 (Item::Receding, 0) => Item::RecedingGap(Punch::parabola(scenario.radius * 10f64.powf(*normal))?),
+                (Item::Receding, 1) => {
+                    let half_width = scenario.thickness() * 10f64.powf(tangential / 3.0);
+                    Item::RecedingGap(Punch::dent(half_width * half_width / scenario.radius, half_width)?)
+                }
                 _ => continue,
             };
+        }
+        // some layers have a weight
+        for (item, (kind, power)) in items.iter_mut().step_by(2).zip(&self.layers) {
+            if let (Item::Layer(layer), 3) = (&*item, kind)
+                && let Some(thickness) = layer.thickness().filter(|thickness| *thickness > 0.0)
+            {
+                let weight = pressed_with(scenario, *power) / thickness;
+                *item = Item::layer(Loaded::of(layer.clone()).with_specific_weight(weight));
+            }
         }
         // where nothing is loose, layers may be strained in any direction
         if !items.iter().any(Item::is_receding) {
@@ -201,6 +215,11 @@ impl Kinds {
         }
         Ok(items)
     }
+}
+
+/// A pressure with which layers are pressed together: the force is some tens to some thousands of times what presses on a length of the thickness, by a power from −1 to 1.
+fn pressed_with(scenario: &Scenario, power: f64) -> f64 {
+    scenario.force / (scenario.thickness() * 10f64.powf(2.5 + 1.5 * power))
 }
 
 /// From the modulus at the top face to another one by a smooth step.

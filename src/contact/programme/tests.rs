@@ -169,8 +169,8 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
 #[test]
 fn where_nothing_is_even_it_is_as_good_as_it_says() {
     let options = Options { tolerance: 1e-6 };
-    // one to four punches that turn or do not, over one to three contacts
-    for number in [1, 3, 4, 5, 10, 14, 16, 22] {
+    // one to four punches that turn or do not, over one to three contacts that nothing but these presses and without gaps
+    for number in [1, 3, 4, 5, 10, 16, 22, 23] {
         let scene = scene_with_punches(&Ranges::moderate(), 3, number).unwrap();
         let stack = scene.stack().unwrap();
         let fine = Model::new(stack.clone()).unwrap().press_with(&scene.top, scene.force, &options).unwrap();
