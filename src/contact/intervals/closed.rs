@@ -8,7 +8,7 @@ use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::of_contacts;
 use crate::contact::intervals::pressure::Pressure;
 use crate::contact::intervals::support::{ContactInterval, Intervals};
-use crate::contact::problem::accuracy::COARSE;
+use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::closed::ClosedPressure;
 use crate::contact::problem::{Problem, Side};
 use crate::numeric::largest;
@@ -16,8 +16,11 @@ use crate::solution::{ClosedInterface, Contact, Opening, Strip};
 
 /// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face, and the growth of steps beyond all ends.
 const PLACES: usize = 16;
-const WAVES: f64 = 2.0;
+const WAVES: f64 = 4.0;
 const FARTHER: f64 = 0.1;
+/// Small pressures are resolved where they differ by less than this part of the weight from the next ones, which are brought closer together so often.
+const RESOLVED: f64 = 0.25;
+const CLOSER: usize = 6;
 /// Pressures are looked at by distances that differ by this factor.
 const NEARER: f64 = 8.0;
 /// Halvings of what the largest gap lies in.
@@ -59,33 +62,77 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
     let (reach, farthest) = (largest(lengths.ends.iter().copied()), 0.5 * problem.kernel.farthest());
     let layouts = layouts(problem, &lengths, negligible(FIELDS), reach + farthest).ok_or(Fault::Unknown)?;
     let own = Pressures::new(problem, &layouts, level);
-    let mut found = Vec::new();
-    for contact in opened {
-        let Side::Openings(pressed) = &problem.sides[contact] else { continue };
-        let weight = pressed.weight;
+    let of = |contact: usize| {
+        let Side::Openings(pressed) = &problem.sides[contact] else { return None };
         let intervals = level.support.of(contact);
         let is_closed = |x: &f64| intervals.iter().all(|own| *x < own.from() || *x > own.to());
         // waves as short as the layers at the faces feel
         let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(farthest.recip()));
-        let mut places: Vec<f64> = places(intervals, reach, farthest, step);
         // what is even is looked at on the right
-        places.retain(|x| is_closed(x) && (*x >= 0.0 || !problem.is_even()));
-        let pressures = own.at(contact, pressed, &places);
-        let least = (0..places.len()).min_by(|a, b| pressures[*a].total_cmp(&pressures[*b])).unwrap_or(0);
-        if pressures[least] < -COARSE.max(error) * weight {
-            let is_tensile = |k: &usize| pressures[*k] < 0.0;
-            let first = (0..=least).rev().take_while(is_tensile).last().unwrap_or(least);
-            let last = (least..places.len()).take_while(is_tensile).last().unwrap_or(least);
-            let over = [places[first.saturating_sub(1)], places[(last + 1).min(places.len() - 1)]];
-            let (at, depth) = (places[least], -pressures[least] / weight);
-            return Err(Fault::Penetration { contact, punch: 0, at, depth, over });
-        }
-        let at = |k: usize| places[k.min(places.len() - 1)];
+        let from = if problem.is_even() { 0.0 } else { -reach - farthest };
+        let mut places: Vec<f64> = places(intervals, reach, [from, reach + farthest], step);
+        places.retain(is_closed);
+        let pressures = |places: &[f64]| own.at(contact, pressed, places);
+        let pressures = resolved(&mut places, pressures, pressed.weight, is_closed);
+        Some(Outside { contact, weight: pressed.weight, places, pressures })
+    };
+    let all: Vec<Outside> = opened.into_iter().filter_map(of).collect();
+    // where layers pull most they come apart first: others need not then
+    let tension = |own: &Outside| -own.pressures[own.least()];
+    let mut pulling: Vec<&Outside> = all.iter().filter(|own| tension(own) > COARSE.max(error) * own.weight).collect();
+    pulling.sort_by(|a, b| tension(b).total_cmp(&tension(a)));
+    if !pulling.is_empty() {
+        // fewer terms tell how well it is known
+        let coarse = level.coarse();
+        let before = Pressures::new(problem, &layouts, &coarse);
+        let is_known = |own: &&&Outside| {
+            let Side::Openings(pressed) = &problem.sides[own.contact] else { return false };
+            let before = before.at(own.contact, pressed, &[own.places[own.least()]])[0];
+            tension(own) > SAFETY * (tension(own) + before).abs()
+        };
+        pulling.iter().find(is_known).map_or(Ok(()), |own| Err(own.tension()))?;
+    }
+    Ok(all.iter().map(Outside::smallest).collect())
+}
+
+/// Pressures on an interface at places outside its openings, in ascending order.
+struct Outside {
+    contact: usize,
+    weight: f64,
+    places: Vec<f64>,
+    pressures: Vec<f64>,
+}
+
+impl Outside {
+    /// The number of the place where the pressure is smallest.
+    fn least(&self) -> usize {
+        let order = |a: &usize, b: &usize| self.pressures[*a].total_cmp(&self.pressures[*b]);
+        (0..self.places.len()).min_by(order).unwrap_or(0)
+    }
+
+    /// The place where the pressure is smallest, with its neighbours.
+    fn smallest(&self) -> Least {
+        let (least, at) = (self.least(), |k: usize| self.places[k.min(self.places.len() - 1)]);
         // what is even goes on on the left
         let left = if least > 0 { at(least - 1) } else { -at(usize::from(at(0) == 0.0)) };
-        found.push(Least([left, at(least), at(least + 1)]));
+        Least([left, at(least), at(least + 1)])
     }
-    Ok(found)
+
+    /// The tension about the place where it is largest.
+    fn tension(&self) -> Fault {
+        let Self { contact, weight, places, pressures } = self;
+        let least = self.least();
+        let is_tensile = |k: &usize| pressures[*k] < 0.0;
+        let first = (0..=least).rev().take_while(is_tensile).last().unwrap_or(least);
+        let last = (least..places.len()).take_while(is_tensile).last().unwrap_or(least);
+        // a line to the next place ends before the tension does
+        let end = |k: usize, next: usize| {
+            let part = pressures[k] / (pressures[k] - pressures[next]);
+            if (0.0..1.0).contains(&part) { places[k] + part * (places[next] - places[k]) } else { places[k] }
+        };
+        let over = [end(first, first.saturating_sub(1)), end(last, (last + 1).min(places.len() - 1))];
+        Fault::Penetration { contact: *contact, punch: 0, at: places[least], depth: -pressures[least] / weight, over }
+    }
 }
 
 /// Layouts that resolve pressures out to some distances, the farthest first: near what presses shorter waves matter than far from there.
@@ -127,12 +174,40 @@ impl<'a> Pressures<'a> {
     }
 }
 
-/// Places from far on the left to far on the right, dense next to openings.
-fn places(intervals: &[ContactInterval], reach: f64, farthest: f64, step: f64) -> Vec<f64> {
+/// The pressures at some places, and at others between these until the ones about each small pressure differ by little of the weight.
+fn resolved(
+    places: &mut Vec<f64>,
+    pressures: impl Fn(&[f64]) -> Vec<f64>,
+    weight: f64,
+    is_closed: impl Fn(&f64) -> bool,
+) -> Vec<f64> {
+    let mut found = pressures(places);
+    for _ in 0..CLOSER {
+        let last = places.len().saturating_sub(1);
+        let is_least = |k: usize| found[k] <= found[k.saturating_sub(1)] && found[k] <= found[(k + 1).min(last)];
+        let is_small = |k: usize| found[k] < weight && is_least(k);
+        let is_coarse =
+            |k: &usize| (found[*k] - found[k + 1]).abs() > RESOLVED * weight && (is_small(*k) || is_small(k + 1));
+        let between = (0..last).filter(is_coarse).map(|k| 0.5 * (places[k] + places[k + 1]));
+        let more: Vec<f64> = between.filter(&is_closed).collect();
+        if more.is_empty() {
+            break;
+        }
+        let of_more = pressures(&more);
+        let before = places.drain(..).zip(found);
+        let mut all: Vec<(f64, f64)> = before.chain(more.into_iter().zip(of_more)).collect();
+        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        (*places, found) = all.into_iter().unzip();
+    }
+    found
+}
+
+/// Places on an interface, dense as far as contacts and openings reach.
+fn places(intervals: &[ContactInterval], reach: f64, [from, to]: [f64; 2], step: f64) -> Vec<f64> {
     let shortest = intervals.iter().map(|own| 4.0 * own.half / PLACES as f64).fold(step, f64::min);
     let step = shortest.max(reach / (8 * PLACES) as f64);
-    let mut places = vec![-reach - farthest];
-    while let Some(last) = places.last().copied().filter(|last| *last < reach + farthest) {
+    let mut places = vec![from];
+    while let Some(last) = places.last().copied().filter(|last| *last < to) {
         let beyond = (last.abs() - reach).max(0.0);
         places.push(last + step.max(FARTHER * beyond));
     }

@@ -55,8 +55,12 @@ fn changed(
     let mut before: Vec<(Intervals, usize)> = Vec::new();
     for _ in 0..MOST_CHANGES {
         support = support.held(problem);
-        // no list twice
-        if before.iter().any(|(list, terms)| *terms == finer && list.is_near(&support)) {
+        // no list twice, but with more terms where something opens, for which there is no other start
+        let is_known = |finer: usize| before.iter().any(|(list, terms)| *terms == finer && list.is_near(&support));
+        while support.opens() && is_known(finer) && finer < FINER {
+            finer *= 2;
+        }
+        if is_known(finer) {
             break;
         }
         before.push((support.clone(), finer));
@@ -68,6 +72,7 @@ fn changed(
         let count = |interval: &ContactInterval| first_count(problem, interval, finer);
         let mut counts: Vec<usize> = support.0.iter().map(count).collect();
         support.equalise(&mut counts);
+        let start = support.clone();
         support = match converge(problem, support, None, &counts, COARSE, work) {
             Ok(level) => match examined(problem, &level, finer < FINER, work) {
                 Ok(answer) => return Ok(answer),
@@ -87,6 +92,10 @@ fn changed(
                 }
             },
             Err(Failure::Changed(next)) => next,
+            Err(Failure::Stuck(last)) if finer < FINER && last.opens() => {
+                finer *= 2;
+                start
+            }
             Err(Failure::Stuck(last)) => return Err(last),
         };
     }
@@ -129,6 +138,10 @@ fn examined(
             let next = with_interval(problem, &level.support, (contact, punch), at, over);
             Some(Wrong { next, depth, at: Some(at) })
         }
+        // a short opening may not be there with few terms
+        Some(Fault::Tension) | None if may_grow && level.support.opens() => {
+            Some(Wrong { next: level.support.clone(), depth: f64::INFINITY, at: None })
+        }
         Some(Fault::Tension | Fault::Unknown) | None => None,
     })
 }
@@ -149,6 +162,11 @@ fn outgrown(problem: &Problem, intervals: &[ContactInterval]) -> Option<ContactE
 }
 
 impl Intervals {
+    /// Whether something opens.
+    fn opens(&self) -> bool {
+        self.0.iter().any(|interval| interval.opens)
+    }
+
     /// Whether another list has the ends of this one, but for a thousandth of the half-lengths.
     fn is_near(&self, other: &Self) -> bool {
         let is_like = |(one, other): (&ContactInterval, &ContactInterval)| {
