@@ -69,6 +69,7 @@ mod plot;
 mod prescribed;
 mod profile;
 mod punches;
+mod random_openings;
 mod reference;
 mod rejected;
 mod rings;
