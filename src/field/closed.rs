@@ -88,12 +88,16 @@ impl Closed {
         Complex64::new(strips().map(Strip::long_waves).sum(), wavenumber * moment)
     }
 
-    /// An amplitude of p̂ at a wavenumber, of this interface with these slopes.
-    pub(super) fn envelope(&self, slopes: &[TabulatedStrip], wavenumber: f64) -> f64 {
+    /// An amplitude of p̂ at a wavenumber; infinite where a layer's states are not finite.
+    pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
+        let ClosedBodies { top, slopes, dents, modulus, .. } = &*self.bodies;
+        let Some(closed) = self.bodies.at(wavenumber) else { return f64::INFINITY };
         let sum = |strips: &[TabulatedStrip]| strips.iter().map(|one| one.envelope(wavenumber)).sum::<f64>();
-        let dent = self.bodies.dents[self.number - 1];
-        let flat = dent.map_or(0.0, |dent| wavenumber * dent.transform(wavenumber));
-        sum(&self.bodies.top) + self.stiffness * (sum(slopes) + flat)
+        let by_gaps = slopes.iter().zip(dents).enumerate().map(|(other, (slopes, dent))| {
+            let flat = dent.map_or(0.0, |dent| (wavenumber * dent.transform(wavenumber)).abs());
+            modulus * closed.pressure(self.number, other + 1).abs() * (sum(slopes) + flat)
+        });
+        closed.carried(self.number).abs() * sum(top) + by_gaps.sum::<f64>()
     }
 
     /// The transforms at some wavenumbers; no numbers where a layer's states are not finite.

@@ -128,7 +128,7 @@ impl ContactPressure {
     /// An amplitude of p̂ at a wavenumber.
     pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
         if let Some(closed) = &self.closed {
-            return closed.envelope(&self.strips, wavenumber);
+            return closed.envelope(wavenumber);
         }
         self.strips.iter().map(|one| self.images(&one.strip) * one.envelope(wavenumber)).sum()
     }
