@@ -88,16 +88,22 @@ impl Closed {
         Complex64::new(strips().map(Strip::long_waves).sum(), wavenumber * moment)
     }
 
-    /// An amplitude of p̂ at a wavenumber; infinite where a layer's states are not finite.
-    pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
+    /// An amplitude of p̂ at a wavenumber, and of what is not local in it; infinite where a layer's states are not finite.
+    pub(super) fn envelopes(&self, wavenumber: f64) -> [f64; 2] {
         let ClosedBodies { top, slopes, dents, modulus, .. } = &*self.bodies;
-        let Some(closed) = self.bodies.at(wavenumber) else { return f64::INFINITY };
+        let Some(closed) = self.bodies.at(wavenumber) else { return [f64::INFINITY; 2] };
         let sum = |strips: &[TabulatedStrip]| strips.iter().map(|one| one.envelope(wavenumber)).sum::<f64>();
-        let by_gaps = slopes.iter().zip(dents).enumerate().map(|(other, (slopes, dent))| {
+        let carried = closed.carried(self.number).abs() * sum(top);
+        let mut envelopes = [carried; 2];
+        for (number, (slopes, dent)) in (1..).zip(slopes.iter().zip(dents)) {
+            let pressure = modulus * closed.pressure(self.number, number);
+            let local = if number == self.number { self.stiffness } else { 0.0 };
             let flat = dent.map_or(0.0, |dent| (wavenumber * dent.transform(wavenumber)).abs());
-            modulus * closed.pressure(self.number, other + 1).abs() * (sum(slopes) + flat)
-        });
-        closed.carried(self.number).abs() * sum(top) + by_gaps.sum::<f64>()
+            let own = sum(slopes);
+            envelopes[0] += pressure.abs() * (own + flat);
+            envelopes[1] += (pressure - local).abs() * own + pressure.abs() * flat;
+        }
+        envelopes
     }
 
     /// The transforms at some wavenumbers; no numbers where a layer's states are not finite.

@@ -31,24 +31,27 @@ impl FieldDecay<'_> {
         let t = from * reflected;
         // states of layers are like (1 + t)² e^(−t)
         let reflections = (2.0 + t) * (2.0 + t) * (-t).exp() / reflected.max(from.recip());
-        self.direct(from) + if reflections > 0.0 { reflections * self.amplitude(from) } else { 0.0 }
+        self.direct(from) + if reflections > 0.0 { reflections * self.amplitudes(from)[0] } else { 0.0 }
     }
 
-    /// The part of it that comes from the face directly: the remainder that its closed form leaves.
+    /// The part of it that comes from the face directly: the remainder that its closed form leaves, and what of the pressure has no closed form.
     fn direct(&self, from: f64) -> f64 {
-        let Some(Remainder { size, power }) = self.remainder.filter(|remainder| remainder.size > 0.0) else {
+        let left = self.remainder.filter(|remainder| remainder.size > 0.0);
+        if left.is_none() && !self.pressure.has_waves() {
             return 0.0;
-        };
+        }
+        let left = left.map_or(0.0, |Remainder { size, power }| size * from.powf(-power));
+        let [all, not_local] = self.amplitudes(from);
         let t = from * self.distance;
         // the integral of an integrand that falls at least like 1/λ
-        size * from.powf(1.0 - power) * self.amplitude(from) * (1.0 + t) * (1.0 + t) * (-t).exp()
+        from * (left * all + not_local) * (1.0 + t) * (1.0 + t) * (-t).exp()
     }
 
-    /// An amplitude of p̂ at a wavenumber in parts of the mean pressure, times what an integral over the wavenumber takes.
-    fn amplitude(&self, from: f64) -> f64 {
+    /// Amplitudes of p̂ at a wavenumber, and of what is not local in it, in parts of the mean pressure, times what an integral over the wavenumber takes.
+    fn amplitudes(&self, from: f64) -> [f64; 2] {
         // about an axis J₀(λr) falls like a root or, next to r = 0, the transform oscillates
         let measure = if self.pressure.is_round() { from / (1.0 + from * self.length).sqrt() } else { PI.recip() };
-        self.pressure.envelope(from) * measure / self.pressure.mean(self.length)
+        self.pressure.envelopes(from).map(|one| one * measure / self.pressure.mean(self.length))
     }
 }
 

@@ -125,12 +125,12 @@ impl ContactPressure {
         points.map(|at| (self.place(at) - self.place(x)).abs()).fold(f64::INFINITY, f64::min)
     }
 
-    /// An amplitude of p̂ at a wavenumber.
-    pub(super) fn envelope(&self, wavenumber: f64) -> f64 {
+    /// An amplitude of p̂ at a wavenumber, and of what is not local in it, which has no closed form.
+    pub(super) fn envelopes(&self, wavenumber: f64) -> [f64; 2] {
         if let Some(closed) = &self.closed {
-            return closed.envelope(wavenumber);
+            return closed.envelopes(wavenumber);
         }
-        self.strips.iter().map(|one| self.images(&one.strip) * one.envelope(wavenumber)).sum()
+        [self.strips.iter().map(|one| self.images(&one.strip) * one.envelope(wavenumber)).sum(), 0.0]
     }
 
     /// Its resultant; of a disc ∫ p r dr.
