@@ -1,20 +1,21 @@
 //! Pressures between layers that are pressed together and come apart in places, as loads on the bodies above and below: what the pressure on top and the slopes of gaps make together.
 //!
-//! For short waves a slope φ of the gap makes the pressure iμ₀M φ̂, a quarter of a wave aside, with a constant M: this part has the closed forms of φ as a pressure, times a factor. What
-//! else there is decays with the wavenumber, see [`ClosedContacts`].
+//! For short waves a gap g with the slope φ makes the pressure iμ₀M φ̂ (1 + c/λ) with constants M and c, where c is 0 unless a layer is graded at its face: since iφ̂ = λĝ, this part has
+//! the closed forms of φ as a pressure, a quarter of a wave aside, and of g as another one. What else there is decays with the wavenumber, see [`ClosedContacts`].
 use std::sync::Arc;
 
 use num_complex::Complex64;
 use recede_layers::{Plane, Wave};
 
 use super::strip::TabulatedStrip;
-use super::transform::Transform;
+use super::transform::{Potentials, Transform};
 use crate::solution::{ClosedInterface, Contact, Strip};
 use crate::stack::{Dent, Gaps, Stack};
 use crate::system::{BaseChain, BlockSystem, ClosedContacts, FreeChain};
 
-/// A wave as short as this, over the thickness of the stack, sees no more of it than faces.
+/// A wave as short as this, over the thickness of the thinnest layer, sees no more of the stack than faces, and a wave like the next one no more than how they are graded.
 const SHORT: f64 = 1e12;
+const LONGER: f64 = 1e4;
 
 /// The bodies of a stack below a contact, all in contact but for openings.
 #[derive(Clone, Debug)]
@@ -37,8 +38,11 @@ pub(super) struct Closed {
     bodies: Arc<ClosedBodies>,
     /// Its number, from 1.
     number: usize,
-    /// μ₀M of short waves, in stress.
-    pub(super) stiffness: f64,
+    /// μ₀M of short waves, in stress, and c times it.
+    stiffness: f64,
+    gradation: f64,
+    /// The gaps.
+    gaps: Vec<TabulatedStrip>,
 }
 
 impl ClosedBodies {
@@ -70,9 +74,33 @@ impl ClosedBodies {
 }
 
 impl Closed {
-    pub(super) fn new(bodies: &Arc<ClosedBodies>, number: usize, thickness: f64) -> Self {
-        let stiffness = bodies.at(SHORT / thickness).map_or(0.0, |closed| closed.pressure(number, number));
-        Self { bodies: Arc::clone(bodies), number, stiffness: bodies.modulus * stiffness }
+    /// Of an interface by its number, in a stack with a thinnest layer.
+    pub(super) fn new(bodies: &Arc<ClosedBodies>, number: usize, thinnest: f64) -> Self {
+        let stiffness =
+            |wave: f64| bodies.at(wave).map_or(0.0, |closed| bodies.modulus * closed.pressure(number, number));
+        let short = stiffness(SHORT / thinnest);
+        let [once, twice] =
+            [1.0, 2.0].map(|times| times * LONGER / thinnest).map(|wave| wave * (stiffness(wave) - short));
+        let gaps =
+            bodies.slopes[number - 1].iter().map(|slope| TabulatedStrip::new(&slope.strip.antiderivative())).collect();
+        // two waves tell it without the next power of 1/λ
+        Self { bodies: Arc::clone(bodies), number, stiffness: short, gradation: 2.0 * twice - once, gaps }
+    }
+
+    /// μ₀M (1 + c/λ) at a wavenumber.
+    fn local(&self, wavenumber: f64) -> f64 {
+        self.stiffness + self.gradation / wavenumber
+    }
+
+    /// The potentials of the part with closed forms at a place and a depth, from the potentials of the slopes.
+    pub(super) fn potentials(&self, slopes: Potentials, (x, depth): (f64, f64), integral: bool) -> Potentials {
+        // a quarter of a wave aside
+        let mut sums = slopes.map(|slope| -Complex64::I * self.stiffness * slope);
+        for gap in &self.gaps {
+            let own = gap.potentials(x - gap.strip.at, depth, integral);
+            sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += self.gradation * own);
+        }
+        sums
     }
 
     /// The distance of the farthest end of the pressure on top.
@@ -97,7 +125,7 @@ impl Closed {
         let mut envelopes = [carried; 2];
         for (number, (slopes, dent)) in (1..).zip(slopes.iter().zip(dents)) {
             let pressure = modulus * closed.pressure(self.number, number);
-            let local = if number == self.number { self.stiffness } else { 0.0 };
+            let local = if number == self.number { self.local(wavenumber) } else { 0.0 };
             let flat = dent.map_or(0.0, |dent| (wavenumber * dent.transform(wavenumber)).abs());
             let own = sum(slopes);
             envelopes[0] += pressure.abs() * (own + flat);
@@ -123,7 +151,7 @@ impl Closed {
             Transform {
                 value: carried * top[k].value + by_gaps,
                 variation: top[k].variation - lost * top[k].value + by_gaps,
-                local: Complex64::I * self.stiffness * slopes[self.number - 1][k].value,
+                local: Complex64::I * self.local(*wavenumber) * slopes[self.number - 1][k].value,
             }
         };
         wavenumbers.iter().enumerate().map(of).collect()

@@ -138,8 +138,9 @@ impl Field {
         let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         if let (false, Some(above)) = (closed.is_empty(), contacts.last()) {
             let bodies = Arc::new(ClosedBodies::new(stack, modulus, &above.clone().moved(-middle), &closed, &gaps));
+            let thinnest = layers.iter().filter_map(|placed| placed.thickness).fold(f64::INFINITY, f64::min);
             let of = |(k, own): (usize, &ClosedInterface)| {
-                ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, stack.total_thickness()))
+                ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, thinnest))
             };
             pressures.extend(closed.iter().enumerate().map(of));
         }

@@ -189,10 +189,9 @@ impl ContactPressure {
                 zip(&mut sums, image).for_each(|(sum, image)| *sum += image.conj());
             }
         }
-        if let Some(closed) = &self.closed {
-            // a quarter of a wave aside
-            sums.iter_mut().for_each(|sum| *sum *= -Complex64::I * closed.stiffness);
+        match &self.closed {
+            Some(closed) => closed.potentials(sums, (x, depth), integral),
+            None => sums,
         }
-        sums
     }
 }

@@ -78,15 +78,27 @@ impl Strip {
 
     /// The integral of the series and of what is singular at its ends from the left end to x = at + extent cos φ, over the extent.
     pub(crate) fn integral_to(&self, phi: f64) -> f64 {
+        let [of_odd, of_even] = self.integrated();
+        let [left, right] = self.corners;
+        let series = sine_sum(of_odd.into_iter(), 1, phi) + sine_sum(of_even.into_iter(), 2, phi);
+        series + 0.5 * ((self.first() + left + right) * (PI - phi) + (left - right) * phi.sin())
+    }
+
+    /// The integral of its series from the left end on, which is 0 at the right end, too, but for the first coefficient.
+    pub(crate) fn antiderivative(&self) -> Self {
+        let [coefficients, skew] = self.integrated().map(|all| all.into_iter().map(|c| self.extent * c).collect());
+        Self { at: self.at, skew, ..Self::series(self.extent, coefficients) }
+    }
+
+    /// The coefficients of the integral of the series over the extent, but for the first one: of what is even about the middle, and of what is odd.
+    fn integrated(&self) -> [Vec<f64>; 2] {
         // 2 sin jφ sin φ is cos (j − 1)φ − cos (j + 1)φ
         let (even, odd) = (&self.coefficients, &self.skew);
         let after = |all: &[f64], m: usize| all.get(m).copied().unwrap_or(0.0);
-        let of_even = (0..even.len()).map(|m| (even[m] - after(even, m + 1)) / (2 * m + 2) as f64);
+        let of_even = (0..even.len()).map(|m| 0.5 * (even[m] - after(even, m + 1)) / (2 * m + 2) as f64);
         let before = std::iter::once(0.0).chain(odd.iter().copied());
-        let of_odd = before.enumerate().map(|(m, before)| (before - after(odd, m)) / (2 * m + 1) as f64);
-        let [left, right] = self.corners;
-        let series = sine_sum(of_even, 2, phi) + sine_sum(of_odd, 1, phi);
-        0.5 * (series + (self.first() + left + right) * (PI - phi) + (left - right) * phi.sin())
+        let of_odd = before.enumerate().map(|(m, before)| 0.5 * (before - after(odd, m)) / (2 * m + 1) as f64);
+        [of_odd.collect(), of_even.collect()]
     }
 
     /// The first coefficient of the series.

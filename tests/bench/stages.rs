@@ -23,6 +23,7 @@ fn main() {
     let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let all = Stages { wanted };
     stages(&all);
+    weights(&all);
     skips(&all);
 }
 
@@ -53,6 +54,41 @@ fn stages(all: &Stages) {
         all.time(&name("press"), || model.press(&scene.top, black_box(scene.force)));
         let solution = model.press(&scene.top, scene.force).expect("a solution");
         all.time(&name("collocation"), || model.collocate(&scene.top, black_box(&solution)));
+    }
+}
+
+/// What an opening costs: slabs under forces that lift them off their bases, with their weights and without.
+fn weights(all: &Stages) {
+    const SLABS: [(&str, &str, &str); 3] = [
+        (
+            "load",
+            "load: Uniform(half_width: 0.1), force: 1.2",
+            "Homogeneous(thickness: 0.2, young: 30000.0, poisson: 0.2WEIGHT)",
+        ),
+        (
+            "roller",
+            "punch: Cylinder(radius: 50.0), force: 1.2",
+            "Homogeneous(thickness: 0.2, young: 30000.0, poisson: 0.2WEIGHT)",
+        ),
+        (
+            "graded slab",
+            "load: Uniform(half_width: 0.1), force: 1.2",
+            "Exponential(thickness: 0.2, shear_modulus: 12000.0, poisson: 0.2, beta: 2.0WEIGHT)",
+        ),
+    ];
+    for (name, top, slab) in SLABS {
+        for (kind, weight) in [("with its weight", ", specific_weight: 0.024"), ("without", "")] {
+            let slab = slab.replace("WEIGHT", weight);
+            let scene = Scene::from_ron(&format!(
+                "Scene(geometry: PlaneStrain, {top}, stack: [{slab}, Receding, HalfPlane(young: 100.0, poisson: 0.35)])"
+            ));
+            let scene = scene.expect("a scene");
+            let stack = scene.stack().expect("a stack");
+            let model = Model::new(stack.clone()).expect("a model");
+            let name = |stage: &str| format!("{name} {kind}: {stage}");
+            all.time(&name("kernels"), || Model::new(stack.clone()));
+            all.time(&name("press"), || model.press(&scene.top, black_box(scene.force)));
+        }
     }
 }
 
