@@ -108,7 +108,7 @@ fn same(one: &Solution, other: &Solution, side: f64) -> Result<(), TestCaseError
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 6, rng_seed: RngSeed::Fixed(3), max_shrink_iters: 0, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, rng_seed: RngSeed::Fixed(3), max_shrink_iters: 0, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn layers_are_apart_in_openings_and_nowhere_else(slabs in slabs()) {
