@@ -1,7 +1,7 @@
 //! Profiles along the faces of a stack: pressures and gaps of all contacts, displacements and slopes of all faces.
 use std::f64::consts::PI;
 
-use crate::field::{DISPLACEMENTS, FULL, FaceProfile, FaceSide, Field, FieldError};
+use crate::field::{DISPLACEMENTS, FULL, FaceProfile, FaceSide, Field, FieldError, LOW};
 use crate::geometry::Coordinates;
 use crate::scene::Top;
 use crate::solution::{ClosedInterface, Contact, Interface, Interval, Solution};
@@ -103,17 +103,28 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
         touching += 2 * each.len();
     }
     faces.iter_mut().for_each(|face| face.points.truncate(x.len()));
-    contacts.extend(solution.closed().iter().filter_map(|own| closed(own, &faces, x)));
+    contacts.extend(closed(solution, &faces, x));
     Ok(FaceProfiles { coordinates, x: x.to_vec(), contacts, faces })
 }
 
-/// An interface that weights press together.
-fn closed(own: &ClosedInterface, faces: &[FaceProfile], x: &[f64]) -> Option<ContactProfile> {
-    let Interface::Between { above, .. } = own.interface else { return None };
-    let face = faces.iter().find(|face| face.layer == above && face.side == FaceSide::Bottom)?;
-    let pressure = face.points.iter().map(|point| -point.sigma_yy).collect();
-    let gap = Some(x.iter().map(|x| own.gap(*x)).collect());
-    Some(ContactProfile { interface: own.interface, pressure, gap })
+/// The profiles of the interfaces that weights press together, from the faces of layers at places along x.
+fn closed(solution: &Solution, faces: &[FaceProfile], x: &[f64]) -> Vec<ContactProfile> {
+    let of = |own: &ClosedInterface| {
+        let Interface::Between { above, .. } = own.interface else { return None };
+        let face = faces.iter().find(|face| face.layer == above && face.side == FaceSide::Bottom)?;
+        let pressure = face.points.iter().map(|point| -point.sigma_yy).collect();
+        let gap = Some(x.iter().map(|x| own.gap(*x)).collect());
+        Some(ContactProfile { interface: own.interface, pressure, gap })
+    };
+    solution.closed().iter().filter_map(of).collect()
+}
+
+/// Pressures, to be drawn, and gaps of the interfaces that weights press together at places along x.
+pub(crate) fn under_weight(stack: &Stack, solution: &Solution, x: &[f64]) -> Result<Vec<ContactProfile>, FieldError> {
+    if solution.closed().is_empty() {
+        return Ok(Vec::new());
+    }
+    Ok(closed(solution, &Field::new(stack, solution).faces(x, &LOW)?, x))
 }
 
 /// A gap at places along x by how much higher one body is there, counted from the straight line through two places where they touch.

@@ -38,7 +38,7 @@ pub use place::{Point, SpacePoint};
 pub use point::{FieldPoint, Grid};
 pub(crate) use pressure::ContactPressure;
 pub use quantity::FieldQuantity;
-pub(crate) use waves::{DISPLACEMENTS, FULL, Precision, ROUGH};
+pub(crate) use waves::{DISPLACEMENTS, FULL, LOW, Precision, ROUGH};
 
 use crate::geometry::Geometry;
 use crate::solution::{ClosedInterface, Contact, Solution};

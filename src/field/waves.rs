@@ -53,7 +53,7 @@ pub(super) const STRESSES: Precision = Precision {
     evaluations: SEARCHED,
 };
 /// Stresses to some four digits.
-pub(super) const LOW: Precision = Precision { inside: 1e-5, on_face: 1e-5, exponent: 14.0, ..STRESSES };
+pub(crate) const LOW: Precision = Precision { inside: 1e-5, on_face: 1e-5, exponent: 14.0, ..STRESSES };
 /// Stresses to some two digits.
 pub(super) const COARSE: Precision = Precision { inside: 1e-3, on_face: 1e-3, exponent: 8.0, points: 8, ..STRESSES };
 

@@ -7,7 +7,7 @@ use crate::field::FieldQuantity;
 use crate::geometry::{Coordinates, Words};
 pub(super) use crate::scene::Dimension;
 use crate::scene::{Loads, Scene, Units};
-use crate::solution::{Contact, Interface};
+use crate::solution::{ClosedInterface, Contact, Interface};
 
 /// Labels of units that are longer are cut.
 const LONGEST: usize = 12;
@@ -90,6 +90,13 @@ pub(super) fn largest(scene: &Scene, contact: &Contact) -> Vec<String> {
     let is_aside = (peak.x - contact.about.unwrap_or(0.0)).abs() > peak.x_error;
     let aside = is_aside.then_some(place);
     [format!("largest {value}")].into_iter().chain(aside).collect()
+}
+
+/// The pressure at x = 0 on an interface that weights press together, unless layers are apart there; in short lines.
+pub(super) fn central(scene: &Scene, own: &ClosedInterface) -> Vec<String> {
+    let at = format!("at {} = 0", italic(scene.geometry.words().along));
+    let pressure = format!("{}{} {at}", short(own.central_pressure), after(scene, Dimension::STRESS));
+    vec![if own.gap(0.0) > 0.0 { format!("open {at}") } else { pressure }]
 }
 
 /// The unit of a column of the table of a sweep, by its name; none of numbers and of columns that are not known.

@@ -1,6 +1,8 @@
 //! The pressure of a contact as a curve.
+use crate::profile::{self, ContactProfile, profile_places};
 use crate::scene::{Load, Loads, Punches, Scene};
-use crate::solution::{Contact, Interface, Interval};
+use crate::solution::{Contact, Interface, Interval, Solution};
+use crate::stack::Stack;
 
 /// Pressures that are infinite somewhere are drawn up to so many times their mean.
 const HIGHEST_DRAWN: f64 = 6.0;
@@ -32,6 +34,18 @@ pub(super) fn pressure(scene: &Scene, contact: &Contact) -> Vec<Vec<(f64, f64)>>
     };
     let wide = contact.intervals().iter().filter(|interval| interval.left < interval.right);
     wide.map(of).collect()
+}
+
+/// The pressures on interfaces that weights press together, zero in their openings, between two places; none where fields are not known.
+pub(super) fn under_weight(stack: &Stack, solution: &Solution, [from, to]: [f64; 2]) -> Vec<Vec<(f64, f64)>> {
+    let places = profile_places(solution, Some(from.abs().max(to.abs())), POINTS);
+    let places: Vec<f64> = places.into_iter().filter(|x| (from..=to).contains(x)).collect();
+    let curve = |own: ContactProfile| {
+        let gaps = own.gap.unwrap_or_default().into_iter().chain(std::iter::repeat(0.0));
+        let at = |((x, p), gap): ((&f64, f64), f64)| (*x, if gap > 0.0 { 0.0 } else { p });
+        places.iter().zip(own.pressure).zip(gaps).map(at).collect()
+    };
+    profile::under_weight(stack, solution, &places).unwrap_or_default().into_iter().map(curve).collect()
 }
 
 /// Places on an interval, denser towards its ends and towards jumps.

@@ -85,7 +85,7 @@ pub(super) struct Section<'a> {
     pub(super) force: f64,
     /// From the top down; a punch is drawn as deep as it touches.
     pub(super) contacts: Cow<'a, [Contact]>,
-    /// The symbols of their half-lengths and pressures.
+    /// The symbols of their half-lengths and pressures, and then the ones of interfaces that weights press together.
     pub(super) symbols: Vec<(String, String)>,
     /// Points per length.
     pub(super) scale: f64,
@@ -100,7 +100,8 @@ pub(super) struct Section<'a> {
 impl<'a> Section<'a> {
     pub(super) fn new(scene: &'a Scene, solution: &'a Solution, scale: f64, middle: f64) -> Self {
         let (force, contacts) = (solution.force(), side_view(solution));
-        let symbols = symbols(contacts.iter().map(|contact| contact.interface));
+        let closed = solution.closed().iter().map(|own| own.interface);
+        let symbols = symbols(contacts.iter().map(|contact| contact.interface).chain(closed));
         Self { scene, force, contacts, symbols, scale, middle, top: level(0.0), punches: None }
     }
 

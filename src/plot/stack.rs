@@ -7,11 +7,11 @@ use super::displaced::Displaced;
 use super::file::PlotError;
 use super::names::{self, Dimension, after, index, unit};
 use super::picture::{Anchor, Colour, Picture, Stroke, WHITE, italic};
-use super::pressure::{highest, lines, pressure};
+use super::pressure::{highest, lines, pressure, under_weight};
 use super::punch::rounded_down;
 use super::scale::{Scale, label, short};
 use super::section::{self, GROUND, Outline, Section, WIDTH, dashed, hatching, height_at, level};
-use super::style::{INK, SMALL, curve, hair};
+use super::style::{INK, SMALL, curve};
 use crate::profile::FaceProfiles;
 use crate::scene::Scene;
 use crate::solution::{ClosedInterface, Contact, Interface, Solution};
@@ -103,8 +103,9 @@ fn few() -> PlotError {
 struct Drawing<'a> {
     section: Section<'a>,
     stack: &'a Stack,
-    /// Interfaces that weights press together.
+    /// Interfaces that weights press together, and their pressures over x.
     closed: &'a [ClosedInterface],
+    pressed: Vec<Vec<(f64, f64)>>,
     /// Whether what does not move is below the layers.
     is_ground: bool,
     /// From the top down, a half-plane included.
@@ -139,7 +140,9 @@ impl<'a> Drawing<'a> {
         let is_ground = stack.base().foundation().half_plane().is_none();
         let base = if is_ground { None } else { Some(depths.height() + BASE) };
         let heights: Vec<f64> = depths.knots.iter().map(|(_, height)| *height).chain(base).collect();
+        let half = 0.5 * WIDTH / scale;
         let drawing = Self {
+            pressed: under_weight(stack, solution, [middle - half, middle + half]),
             section: Section::new(scene, solution, scale, 0.5 * WIDTH - scale * middle),
             stack,
             closed: solution.closed(),
@@ -268,21 +271,21 @@ impl<'a> Drawing<'a> {
             draw(&|x| gaps.height(*interface, x), *y, "gap");
         }
         for (face, y) in self.heights.iter().enumerate() {
-            self.closed_at(face).iter().for_each(|own| draw(&|x| own.gap(x), *y, "opening"));
+            let closed = self.closed_at(face).map(|k| &self.closed[k]);
+            closed.iter().for_each(|own| draw(&|x| own.gap(x), *y, "opening"));
         }
         labels
     }
 
-    /// What weights press together at the upper face of a layer.
-    fn closed_at(&self, face: usize) -> Option<&ClosedInterface> {
+    /// The number of what weights press together at the upper face of a layer.
+    fn closed_at(&self, face: usize) -> Option<usize> {
         let number = self.layers.get(face.checked_sub(1)?)?.number;
-        self.closed.iter().find(|own| matches!(own.interface, Interface::Between { above, .. } if above == number))
+        self.closed.iter().position(|own| matches!(own.interface, Interface::Between { above, .. } if above == number))
     }
 
-    /// The places between which weights do not keep layers together there.
-    fn openings(&self, face: usize) -> Vec<[f64; 2]> {
-        let openings = self.closed_at(face).map_or(&[][..], |own| &own.openings);
-        openings.iter().map(|one| [one.left, one.right]).collect()
+    /// The line of a contact by its number, or of an interface that weights press together, which come last.
+    fn curve(&self, number: usize) -> Stroke {
+        curve(number, self.section.symbols.len())
     }
 
     /// The numbers of the layers from the top down.
@@ -326,7 +329,9 @@ impl<'a> Drawing<'a> {
         let mut labels = Vec::new();
         let faces = self.section.contacts_at(&numbers).into_iter().enumerate();
         for (face, found) in faces.take(self.layers.len() + usize::from(self.is_ground)) {
-            let touching = Stroke { width: 3.0, dash: None, ..curve(found.unwrap_or(0), contacts.len()) };
+            let closed = self.closed_at(face);
+            let number = found.or(closed.map(|k| contacts.len() + k));
+            let touching = Stroke { width: 3.0, dash: None, ..self.curve(number.unwrap_or(0)) };
             let is_last = face == self.layers.len();
             let ground = is_last.then(|| level(self.bottom - GROUND));
             if let Some(line) = &ground {
@@ -336,12 +341,15 @@ impl<'a> Drawing<'a> {
             let upper = face.checked_sub(1).and_then(|above| self.faces.get(above)).map(|[_, lower]| lower);
             // the lower one last, so that its colour is seen
             let lines = upper.filter(|line| self.is_displaced && Some(*line) != lower).into_iter().chain(lower);
-            let openings = self.openings(face);
             let mut label = None;
             for line in lines {
-                match openings.is_empty() {
-                    true => label = self.section.interface(picture, found, line, touching),
-                    false => self.section.spans(picture, &openings, line, [dashed(), hair(INK)]),
+                match closed {
+                    None => label = self.section.interface(picture, found, line, touching),
+                    Some(k) => {
+                        let openings: Vec<[f64; 2]> =
+                            self.closed[k].openings.iter().map(|one| [one.left, one.right]).collect();
+                        self.section.spans(picture, &openings, line, [dashed(), touching]);
+                    }
                 }
             }
             labels.extend(label);
@@ -357,12 +365,14 @@ impl<'a> Drawing<'a> {
     /// The pressures over x, below the contacts where they act: in parts of their largest, if these are very different.
     fn pressures(&self, picture: &mut Picture) {
         let Section { scene, ref contacts, scale, ref symbols, .. } = self.section;
-        let (count, half) = (contacts.len(), 0.5 * WIDTH / scale);
-        // nothing but weights press
+        let half = 0.5 * WIDTH / scale;
+        let of_contacts = contacts.iter().map(|contact| pressure(scene, contact));
+        let curves: Vec<Vec<Vec<(f64, f64)>>> =
+            of_contacts.chain(self.pressed.iter().map(|curve| vec![curve.clone()])).collect();
+        let count = curves.len();
         if count == 0 {
             return;
         }
-        let curves: Vec<Vec<Vec<(f64, f64)>>> = contacts.iter().map(|contact| pressure(scene, contact)).collect();
         // an infinite pressure is drawn as far as its curve goes
         let peaks: Vec<f64> = curves.iter().map(|curves| highest(curves)).collect();
         let pressed = || peaks.iter().copied().filter(|peak| *peak > 0.0);
@@ -377,15 +387,17 @@ impl<'a> Drawing<'a> {
         };
         let y = y.rounded();
         let top = y.ends().1;
-        let line = |x| Curve { points: vec![(x, 0.0), (x, top)], stroke: curve(0, count), label: String::new() };
-        let drawn = contacts.iter().zip(&curves).enumerate().map(|(i, (contact, parts))| {
+        let line = |x| Curve { points: vec![(x, 0.0), (x, top)], stroke: self.curve(0), label: String::new() };
+        let of_contacts = contacts.iter().map(|contact| (contact.interface, names::largest(scene, contact)));
+        let of_closed = self.closed.iter().map(|own| (own.interface, names::central(scene, own)));
+        let drawn = of_contacts.chain(of_closed).zip(&curves).enumerate().map(|(i, ((interface, notes), parts))| {
             let unit = if relative && peaks[i] > 0.0 { peaks[i] } else { 1.0 };
-            let name = format!("{}, {}", symbols[i].1, names::of_contact(scene, contact.interface));
-            let name = [name].into_iter().chain(names::largest(scene, contact)).collect::<Vec<_>>().join("\n");
+            let name = format!("{}, {}", symbols[i].1, names::of_contact(scene, interface));
+            let name = [name].into_iter().chain(notes).collect::<Vec<_>>().join("\n");
             let label = if hidden(i, count, LISTED) { String::new() } else { name };
             // intervals are curves of their own
             let points = parts.iter().flat_map(|part| part.iter().copied().chain([(f64::NAN, f64::NAN)]));
-            Curve { points: points.map(|(x, p)| (x, p / unit)).collect(), stroke: curve(i, count), label }
+            Curve { points: points.map(|(x, p)| (x, p / unit)).collect(), stroke: self.curve(i), label }
         });
         let (top, along) = (self.bottom + PRESSURES[1], italic(scene.coordinates().along()));
         let chart = Chart {
