@@ -17,8 +17,6 @@ use crate::numeric::workspace::Workspace;
 
 /// Nodes whose Bessel functions are made together: no number depends on it, but tables of many more do not stay in the cache of the processor.
 pub(crate) const TOGETHER: usize = 64;
-/// Points on the path into the complex plane.
-const TURNED_POINTS: usize = 32;
 /// No admissible scene was seen to need more wavenumbers, nor more than half as many smooth nodes of tails. Twice as many: scenes whose
 /// contacts are thousands of thicknesses long take twice the time until they are solved to fewer digits.
 pub(crate) const MOST_WAVENUMBERS: usize = 16_000;
@@ -83,7 +81,8 @@ impl Tail {
             let nodes = rule(smooth_points(orders, from / reached)).on(0.0, 1.0);
             tail.add(twin, nodes.map(|(u, weight)| (reached / u, weight * reached / (u * u))));
         }
-        let laguerre = laguerre_rule(TURNED_POINTS);
+        // on the path into the complex plane
+        let laguerre = laguerre_rule(32);
         for (s, weight) in laguerre.nodes.iter().zip(&laguerre.weights) {
             let zeta = Complex64::new(from, 0.5 * s / half_length);
             tail.turned.push(zeta);

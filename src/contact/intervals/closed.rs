@@ -23,8 +23,6 @@ const RESOLVED: f64 = 0.25;
 const CLOSER: usize = 6;
 /// Pressures are looked at by distances that differ by this factor.
 const NEARER: f64 = 8.0;
-/// Halvings of what the largest gap lies in.
-const HALVINGS: usize = 50;
 
 /// The contacts of a solution while all is closed, in units of L, with openings at some places.
 pub(crate) fn of_openings(
@@ -296,7 +294,8 @@ fn widest(pressure: &Pressure, interval: &ContactInterval) -> f64 {
     }
     let (mut from, mut to) = (angle(largest), angle(largest + 2));
     let strip = pressure.strip(interval);
-    for _ in 0..HALVINGS {
+    // halved down to rounding
+    for _ in 0..50 {
         let middle = 0.5 * (from + to);
         // the gap grows from the left end on, where angles are large
         if strip.pressure(interval.place(middle)) > 0.0 { to = middle } else { from = middle }

@@ -2,7 +2,7 @@
 use std::f64::consts::PI;
 
 use crate::contact::intervals::support::ContactInterval;
-use crate::contact::problem::accuracy::{COARSE, MINOR, PER_MODE};
+use crate::contact::problem::accuracy::{COARSE, MINOR};
 use crate::contact::problem::modes::alternating;
 use crate::contact::problem::twin::Twin;
 use crate::solution::{Strip, tip_coefficient};
@@ -88,7 +88,8 @@ impl Pressure {
 
     /// In how many places, all angles together, it is looked at.
     pub(super) fn places(&self, interval: &ContactInterval) -> usize {
-        PER_MODE * interval.order(self.terms.len() - 1)
+        // the highest mode is seen at three places of each of its arches
+        3 * interval.order(self.terms.len() - 1)
     }
 
     /// The gap of an opening over its half-length at an angle: the integral of its slope from the left end.

@@ -17,9 +17,6 @@ const POINTS: usize = 48;
 /// The number of points grows no more for gaps between intervals that are shorter than this, in half-lengths.
 const NEAREST: f64 = 1e-3;
 
-/// Powers below this are less than rounding of what the first terms do.
-const SMALLEST: f64 = 1e-18;
-
 /// What columns do to tests, in space.
 pub(super) struct InSpace<'a> {
     /// Rows: tests as the terms are ordered, then the others; columns: terms, then ends, or one for what all of them do with some amplitudes.
@@ -254,8 +251,8 @@ impl ContactInterval {
                 re[lane] = real;
                 most = most.max(re[lane] * re[lane] + im[lane] * im[lane]);
             }
-            // far from an interval its higher terms are below rounding
-            if most < SMALLEST * SMALLEST {
+            // far from an interval its higher terms, here their squares, are below rounding
+            if most < 1e-36 {
                 break;
             }
         }

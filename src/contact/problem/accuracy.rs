@@ -16,8 +16,6 @@ pub(crate) const SLOW: f64 = 0.5;
 /// Steps without progress after which an iteration is given up: a step shorter than all before, or fewer violated inequalities. Of those
 /// that converge one was seen to need 18, all others nine at most. Twice as many: scenes that are not solved take twice the time.
 pub(crate) const PATIENCE: usize = 20;
-/// Pressures are looked at in this many places per mode: the highest mode is seen at three places of each of its arches.
-pub(crate) const PER_MODE: usize = 3;
 /// Gaps are looked at in this many places next to a contact, and as many farther out.
 pub(crate) const PLACES: usize = 24;
 /// Multiplications at most, all starts together: some seconds. Twice as many: scenes that are not solved take twice the time.

@@ -3,9 +3,6 @@ use std::f64::consts::PI;
 
 use crate::numeric::waves::Waves;
 
-/// Places at which pressures by dents are integrated over an opening, besides four for each term.
-const PLACES: usize = 64;
-
 /// The pressure between bodies that lie on each other, from weights and from dents that are pressed flat.
 pub(crate) struct ClosedPressure<'a> {
     /// In units of μ₀P'.
@@ -26,8 +23,8 @@ impl ClosedPressure<'_> {
     /// −∫ p cos kφ dφ over an interval, for ascending k from 0 on.
     pub(crate) fn tests(&self, middle: f64, half: f64, orders: &[usize]) -> Vec<f64> {
         let highest = orders.last().copied().unwrap_or(0);
-        // a pressure that is the same everywhere has a mean and no other term
-        let places = if self.by_dents.is_some() { 4 * highest + PLACES } else { 1 };
+        // a pressure that is the same everywhere has a mean and no other term; one by dents is as smooth as these are
+        let places = if self.by_dents.is_some() { 4 * highest + 64 } else { 1 };
         let angle = |q: usize| PI * (q as f64 + 0.5) / places as f64;
         let pressures: Vec<f64> = (0..places).map(|q| self.at(middle + half * angle(q).cos())).collect();
         let test = |k: usize| {

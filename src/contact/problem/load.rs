@@ -12,9 +12,6 @@ use crate::contact::problem::modes::alternating;
 use crate::contact::problem::modes::order;
 use crate::contact::problem::twin::Twin;
 
-/// Terms of the series of pressures that do not vanish smoothly at their ends: enough wherever they have no closed form.
-const TERMS: usize = 64;
-
 /// Given pressures, even about x = 0, in place of a punch.
 pub(crate) struct Given<'a> {
     /// What presses.
@@ -142,7 +139,8 @@ pub(crate) fn strip(form: Form, at: f64, extent: f64, resultant: f64) -> Strip {
         Form::Uniform => unit / order(m),
         Form::Parabolic => -3.0 * unit / (order(m) * (order(m).powi(2) - 4.0)),
     };
-    let terms = if matches!(form, Form::Line | Form::Series) { 1 } else { TERMS };
+    // 64 are enough wherever a pressure that does not vanish smoothly at its ends has no closed form
+    let terms = if matches!(form, Form::Line | Form::Series) { 1 } else { 64 };
     Strip { at, form, ..Strip::series(extent, (0..terms).map(coefficient).collect()) }
 }
 

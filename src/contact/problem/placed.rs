@@ -7,10 +7,6 @@ use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
 use crate::scene::{Gap, Pressed, Punches, Tilt};
 
-/// The lowest place of a turned punch is looked for up to this distance from its tip, in units of L, and found by this number of halvings.
-const FARTHEST: f64 = 1e6;
-const HALVINGS: usize = 60;
-
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
 pub(crate) struct Placed<'a> {
     profile: PunchProfile<'a>,
@@ -113,12 +109,13 @@ impl<'a> Placed<'a> {
         let side = -angle.signum();
         let rises = |x: f64| side * (self.profile.slope(side * x) + angle) >= 0.0;
         let edge = self.profile.ends()[usize::from(side > 0.0)].abs();
-        // the last place before it rises, found to a small part of its distance from the tip
+        // the last place before it rises, if it does so within a million times L
         let (mut low, mut high) = (0.0, edge.min(1.0));
-        while high < edge && high < FARTHEST && !rises(high) {
+        while high < edge && high < 1e6 && !rises(high) {
             (low, high) = (high, (2.0 * high).min(edge));
         }
-        for _ in 0..HALVINGS {
+        // halved down to rounding
+        for _ in 0..60 {
             let middle = 0.5 * (low + high);
             if rises(middle) { high = middle } else { low = middle }
         }

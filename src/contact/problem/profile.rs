@@ -10,8 +10,6 @@ use crate::scene::{Gap, Punch, Shape};
 /// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
 /// circle is infinite.
 pub(super) const NEARLY: f64 = 0.999;
-/// So near to a tip the slope is the limit from one side.
-const JUMP: f64 = 1e-200;
 
 /// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +99,8 @@ impl<'a> PunchProfile<'a> {
 
     /// By how much the slope jumps at a sharp tip, per unit of P'.
     pub(crate) fn jump(&self) -> Option<f64> {
-        self.is_sharp().then(|| self.slope(JUMP) - self.slope(-JUMP))
+        // so near to a tip that the slope is the limit from one side
+        self.is_sharp().then(|| self.slope(1e-200) - self.slope(-1e-200))
     }
 
     /// Half-length at which the punch ends, in units of L.

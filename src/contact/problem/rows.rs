@@ -20,13 +20,6 @@ use crate::scene::{Piece, Shape};
 const PHASE: f64 = 150.0;
 /// Gauss points besides those that the oscillation takes.
 const SPARE: f64 = 14.0;
-/// Where a circle ends its slope is infinite: about an axis it is as steep as here.
-const STEEPEST: f64 = 1.0 - 1e-12;
-/// About a tip off the middle of an interval the slope counts as a step and its mean, as far as the interval reaches over 2 to this power to either side:
-/// what else it does there is odd, so that the square of this counts, which is below rounding.
-const TIP_CELLS: usize = 27;
-/// Cells of half-widths on which a dent is integrated: beyond them it is flat.
-const DENT_CELLS: u8 = 7;
 
 /// The slope of a profile, per unit of P', against the tests of an interval: ∫ f'(m + w s) C_k ...
 struct Slopes {
@@ -164,7 +157,8 @@ impl PunchProfile<'_> {
         let [middle, half] = [span.middle, span.half].map(|x| x * self.length);
         let right: Vec<f64> = match &self.shape {
             Shape::Powers { .. } if !self.shape.is_smooth() => {
-                halves(middle.abs() + half).take(1 + TIP_CELLS).collect()
+                // nearer to a tip the slope counts as a step and its mean: what else it does there is odd, so that the square of 2^(−27) counts, which is below rounding
+                halves(middle.abs() + half).take(28).collect()
             }
             // where a circle ends its slope is infinite: from there twice as far each time
             Shape::Circle(radius) if self.twin == Twin::Plane => {
@@ -172,8 +166,8 @@ impl PunchProfile<'_> {
                 let distances = std::iter::successors(Some(2.0 * nearest), |distance| Some(2.0 * distance));
                 distances.take_while(|distance| distance < radius).map(|distance| radius - distance).collect()
             }
-            // cells in which its slope is a polynomial to rounding
-            Shape::Dent { half_width, .. } => (1..=DENT_CELLS).map(|k| f64::from(k) * half_width).collect(),
+            // cells in which its slope is a polynomial to rounding; beyond them it is flat
+            Shape::Dent { half_width, .. } => (1..=7_u8).map(|k| f64::from(k) * half_width).collect(),
             Shape::Powers { .. } | Shape::Circle(_) | Shape::Flat(_) | Shape::Pieces { .. } => Vec::new(),
         };
         let mut all: Vec<f64> =
@@ -252,7 +246,8 @@ impl PunchProfile<'_> {
         let own = t * self.length;
         let values = match &self.shape {
             Shape::Circle(radius) => {
-                let u = (own / radius).min(STEEPEST);
+                // where a circle ends its slope is infinite
+                let u = (own / radius).min(1.0 - 1e-12);
                 let over = ((1.0 - u) * (1.0 + u)).recip();
                 [u.atanh(), u.atanh() + u * over]
             }

@@ -8,8 +8,6 @@ use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 use crate::numeric::longest;
 
-/// Operations at most, about: each step costs the cube of the number of elements.
-const WORK: f64 = 2e10;
 /// Pressures below this part of the largest are zero.
 const ROUNDING: f64 = 1e-10;
 
@@ -38,7 +36,8 @@ impl<'a> Programme<'a> {
             own.iter_mut().zip(inadmissible).for_each(|(touches, inadmissible)| *touches &= !inadmissible);
         }
         let (mut fewest, mut chances, mut work) = (usize::MAX, PATIENCE, 0.0);
-        while work < WORK {
+        // each step costs the cube of the number of elements
+        while work < 2e10 {
             let number = |own: &Vec<bool>| own.iter().filter(|touches| **touches).count() as f64;
             work += touching.iter().map(|own| number(own).powi(3)).sum::<f64>();
             let state = Equilibrium::new(self.energy, &touching).solve()?;

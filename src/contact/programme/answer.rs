@@ -13,9 +13,6 @@ use super::grid::Grid;
 use super::patch::Patch;
 use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles, touching_on};
 
-/// Answers with a larger relative error are none.
-const MOST_ERROR: f64 = 0.25;
-
 /// Presses punches or given loads: `None` if pressures are known too badly.
 pub(crate) fn answer(problem: &Problem, expected: &[Expected], far: f64) -> Option<Answer> {
     let all = cycles(problem, expected, far, FINE);
@@ -92,8 +89,8 @@ fn found(
     });
     // stiff layers wrapped round a punch may carry a pressure next to nothing about x = 0
     let worst = largest(lengths.chain([change / last.largest(i)]));
-    // what is no number is no answer either
-    if worst.is_nan() || worst > MOST_ERROR {
+    // what is no number is no answer either, nor what may be wrong by a quarter
+    if worst.is_nan() || worst > 0.25 {
         return None;
     }
     let peak = match () {

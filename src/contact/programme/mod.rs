@@ -31,10 +31,6 @@ pub(super) use answer::answer;
 
 /// The grid reaches this many times as far as the longest contact is expected.
 const REACH: f64 = 6.0;
-/// How often the grid is made longer, at most.
-const LONGER: usize = 3;
-/// How often it is made longer or finer.
-const CYCLES: usize = 14;
 /// For starts.
 const COARSE: Resolution = Resolution { ends: 0.02, elements: 200, is_answer: false };
 /// For answers.
@@ -134,9 +130,10 @@ fn cycles(problem: &Problem, expected: &[Expected], far: f64, resolution: Resolu
     let kernel = &Compliances::new(problem, &between);
     let mut cycles: Vec<Cycle> = Vec::new();
     let Some(mut grid) = first_grid(problem, expected, far).filter(|_| kernel.contacts() > 0) else { return cycles };
-    let mut longer = LONGER;
+    let mut longer = 3;
     let most = grid.elements() + resolution.elements;
-    for _ in 0..CYCLES {
+    // most grids are fine enough after a few
+    for _ in 0..14 {
         let Some(energy) = Energy::new(kernel, &grid) else { break };
         let start = match cycles.last() {
             Some(coarse) => grid.inherit(&coarse.grid, &coarse.solved.touching),

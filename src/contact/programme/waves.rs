@@ -15,10 +15,6 @@ const PER_FINENESS: f64 = 3.0;
 const LEAST_FINENESS: f64 = 8.0;
 /// Elements in that distance count up to this number.
 const MOST_FINENESS: f64 = 80.0;
-/// Wavenumbers begin here, times the length of the grid.
-const LONGEST_WAVE: f64 = 0.05;
-/// And end here, divided by the length of the shortest element.
-const SHORTEST_WAVE: f64 = 12.0;
 
 /// Phases up to this many times the number of nodes are told from each other.
 const TOLD: f64 = 2.0;
@@ -43,8 +39,9 @@ impl Waves {
         let (is_even, fineness) = (grid.patch() != Patch::Strip, LEAST_FINENESS + fineness.min(MOST_FINENESS));
         let longest = grid.edges()[0].abs().max(grid.edges()[widths.len()]);
         Self {
-            first: LONGEST_WAVE / longest,
-            last: SHORTEST_WAVE / shortest,
+            // waves twenty times as long as the grid, and twelfths of the shortest element
+            first: 0.05 / longest,
+            last: 12.0 / shortest,
             least: PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS },
             most: (PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS + MOST_FINENESS }) as usize,
             span: grid.edges()[widths.len()] + longest,
