@@ -32,6 +32,9 @@ use problem::{Prescribed, Problem};
 use starts::formulas;
 use starts::order::{of_low_accuracy, solve_in_order};
 
+/// Of the work for one answer, what goes into openings at most: with twice as much, scenes that are not solved take twice the time.
+const OPENINGS: f64 = 0.25;
+
 /// What is asked of the solver: everything but the force.
 pub(crate) struct Asked<'a> {
     /// The stack, to which solutions belong.
@@ -74,12 +77,12 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
     answer.or_else(|error| of_low_accuracy(problem, &refused, error))
 }
 
-/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then; no more than a share of the work for an answer is done.
+/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then.
 pub(crate) fn open(
     asked: &Asked,
     force: Force,
     closed: &Solution,
-    (openings, share): (&[(usize, [f64; 2])], f64),
+    openings: &[(usize, [f64; 2])],
 ) -> Result<Solution, ContactError> {
     let (top, own) = (asked.top_of(closed), asked.kernel_with_punch());
     let drive = Drive::new(asked.top, &own, force)?;
@@ -92,7 +95,7 @@ pub(crate) fn open(
         |(number, ends): &(usize, [f64; 2])| (own.lowest() + number, ends.map(|x| x / own.length() - problem.origin));
     let openings: Vec<(usize, [f64; 2])> = openings.iter().map(of_unit).collect();
     let start = intervals::of_openings(&problem, &contacts, &openings);
-    let (mut refused, mut work) = (Refused::default(), Work::at_most(share * problem.operations));
+    let (mut refused, mut work) = (Refused::default(), Work::at_most(OPENINGS * problem.operations));
     let answer = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
     let answer =
         answer.ok_or_else(|| drive.unmet(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into())))?;

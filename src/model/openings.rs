@@ -1,18 +1,11 @@
 //! Layers that weights press together: solutions while all is closed, the force under which they begin to come apart, and solutions with openings.
 use super::Model;
-use crate::contact::{self, Asked, ContactError, NoSolution};
+use crate::contact::{self, Asked, NoSolution};
 use crate::errors::Error;
 use crate::options::Options;
 use crate::scene::{Force, Top};
 use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::weights::Weights;
-
-/// Forces grow by about this factor from step to step where openings are found by way of smaller forces, to a few digits.
-const STEP: f64 = 1.5;
-const ROUGH: f64 = 1e-3;
-/// Of the work for one answer, what goes into the first and the last list of openings, and into each one on the way.
-const AT_ONCE: f64 = 0.25;
-const ON_THE_WAY: f64 = 0.03;
 
 impl Model {
     /// A solution with the interfaces that weights keep closed.
@@ -33,7 +26,7 @@ impl Model {
         Err(NoSolution::LiftsOff { interface, x, critical_force }.into())
     }
 
-    /// The solution with openings, from the solution while all is closed, and from where layers would pull; where that leads nowhere, by way of smaller forces.
+    /// The solution with openings, from the solution while all is closed, and from where layers would pull.
     fn opened(
         &self,
         (top, force, weights): (&Top, Force, &Weights),
@@ -41,43 +34,17 @@ impl Model {
         closed: &Solution,
         tensile: &[(usize, [f64; 2])],
     ) -> Result<Solution, Error> {
-        let interfaces = self.stack.contacts();
-        let open = |(top, force): (&Top, Force), closed: &Solution, tolerance: f64, openings: &[(usize, [f64; 2])]| {
-            let share = if tolerance == ROUGH { ON_THE_WAY } else { AT_ONCE };
-            let asked = Asked { tolerance, ..self.asked(top, &Options::default()) };
-            contact::open(&Self::with_weights(&asked, weights, &interfaces), force, closed, (openings, share))
-        };
-        let error = match open((top, force), closed, tolerance, tensile) {
-            Err(ContactError::NoSolution(error)) => error,
-            other => return Ok(other?),
-        };
-        let separation = self.separation_of(top, closed).ok_or_else(|| error.clone())?;
-        let last = closed.force() / separation.critical_force;
-        let steps = (last.ln() / STEP.ln()).ceil().max(2.0) as i32;
-        let mut openings = None;
-        for step in 1..steps {
-            let factor = (last.ln() * (f64::from(step) / f64::from(steps) - 1.0)).exp();
-            let (top, closed) = self.scaled(top, closed, factor).ok_or_else(|| error.clone())?;
-            let start: Vec<_> = openings.unwrap_or_else(|| weights.under(&closed).1.into_iter().collect());
-            let found =
-                open((&top, Force::Given(closed.force())), &closed, ROUGH, &start).map_err(|_| error.clone())?;
-            let of = |(number, own): (usize, &ClosedInterface)| {
-                let all = own.openings.iter().map(move |one| (number + 1, [one.left, one.right]));
-                all.collect::<Vec<_>>()
-            };
-            openings = Some(found.closed().iter().enumerate().flat_map(of).collect());
-        }
-        Ok(open((top, force), closed, tolerance, &openings.unwrap_or_default())?)
+        let (interfaces, asked) = (self.stack.contacts(), Asked { tolerance, ..self.asked(top, &Options::default()) });
+        Ok(contact::open(&Self::with_weights(&asked, weights, &interfaces), force, closed, tensile)?)
     }
 
-    /// The same top with all forces of a solution scaled by a factor, and the solution while all is closed.
-    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Option<(Top, Solution)> {
+    /// The solution while all is closed under all forces of another one scaled by a factor.
+    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Option<Solution> {
         let forces = solution.punches().iter().map(|carried| factor * carried.force);
         let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
         let top = scaled.unwrap_or_else(|| top.clone());
         let force = Force::Given(factor * solution.force());
-        let found = contact::press(&self.asked(&top, &Options::default()), force).ok()?;
-        Some((top, found))
+        contact::press(&self.asked(&top, &Options::default()), force).ok()
     }
 
     /// When layers that weights press together begin to come apart, if all forces on the top are scaled together; `None` if nothing presses layers together, or if no force
@@ -103,7 +70,7 @@ impl Model {
     fn separation_of(&self, top: &Top, solution: &Solution) -> Option<Separation> {
         let (_, weights) = self.closed.as_ref().filter(|_| solution.force() > 0.0)?;
         weights.separation(solution, top.loads().is_some() && !weights.has_dents(), |factor| {
-            Some(self.scaled(top, solution, factor)?.1)
+            self.scaled(top, solution, factor)
         })
     }
 
