@@ -152,3 +152,15 @@ fn a_contact_that_fades_is_one_that_cannot_open() {
         }
     }
 }
+
+/// Under a punch that touches on both sides of its middle a soft sheet rises there, against a pressure that holds it down: one opening about x = 0, between two others.
+#[test]
+fn a_sheet_opens_about_the_middle_between_two_contacts() {
+    let path = format!("{}/tests/data/hard/open_in_the_middle.ron", env!("CARGO_MANIFEST_DIR"));
+    let solution = recede::solve(&Scene::read(Path::new(&path)).unwrap()).unwrap();
+    let [left, right] = solution.contacts()[0].intervals() else { panic!("{:?}", solution.contacts()[0]) };
+    let [first, middle, last] = &solution.closed()[0].openings[..] else { panic!("{:?}", solution.closed()[0]) };
+    assert_eq!([middle.left, first.left, first.right], [-middle.right, -last.right, -last.left]);
+    assert!(left.right < middle.left && middle.right < right.left && right.right < last.left);
+    assert!(middle.largest_gap > 0.0 && middle.largest_gap_at == 0.0);
+}

@@ -178,7 +178,7 @@ impl Intervals {
     }
 }
 
-/// The list with an interval about a place of penetration, half as wide as that.
+/// The list with an interval about a place of penetration, half as wide as that, or about x = 0 if all is even and it reaches so far.
 fn with_interval(
     problem: &Problem,
     support: &Intervals,
@@ -187,7 +187,8 @@ fn with_interval(
     over: [f64; 2],
 ) -> Intervals {
     let mut all = support.0.clone();
-    let ends = over.map(|end| 0.5 * (at + end));
+    let is_middle = problem.is_even() && over[0] <= 0.0;
+    let ends = over.map(|end| if is_middle && end <= 0.0 { 0.0 } else { 0.5 * (at + end) });
     let interval = match problem.is_opened(contact) {
         true => ContactInterval::opening(problem, contact, ends),
         false => ContactInterval { contact, punch, ..all[0] }.between(ends),
