@@ -161,6 +161,6 @@ fn a_sheet_opens_about_the_middle_between_two_contacts() {
     let [left, right] = solution.contacts()[0].intervals() else { panic!("{:?}", solution.contacts()[0]) };
     let [first, middle, last] = &solution.closed()[0].openings[..] else { panic!("{:?}", solution.closed()[0]) };
     assert_eq!([middle.left, first.left, first.right], [-middle.right, -last.right, -last.left]);
-    assert!(left.right < middle.left && middle.right < right.left && right.right < last.left);
+    assert!(left.right < 0.0 && right.left > 0.0 && middle.right < last.left);
     assert!(middle.largest_gap > 0.0 && middle.largest_gap_at == 0.0);
 }
