@@ -153,9 +153,9 @@ fn a_contact_that_fades_is_one_that_cannot_open() {
     }
 }
 
-/// Under a punch that touches on both sides of its middle a soft sheet rises there, against a pressure that holds it down: one opening about x = 0, between two others.
+/// Under a punch that touches on both sides of its middle a thin layer comes apart from the one below about x = 0, and beside the punch: three openings.
 #[test]
-fn a_sheet_opens_about_the_middle_between_two_contacts() {
+fn a_thin_layer_opens_about_the_middle_between_two_contacts() {
     let path = format!("{}/tests/data/hard/open_in_the_middle.ron", env!("CARGO_MANIFEST_DIR"));
     let solution = recede::solve(&Scene::read(Path::new(&path)).unwrap()).unwrap();
     let [left, right] = solution.contacts()[0].intervals() else { panic!("{:?}", solution.contacts()[0]) };

@@ -117,6 +117,11 @@ pub(super) struct LoadedBody {
     pub(super) reference: Option<DepthRow>,
 }
 
+/// Thickness of the thinnest layer.
+pub(super) fn thinnest(layers: &[PlacedLayer]) -> f64 {
+    layers.iter().filter_map(|placed| placed.thickness).fold(f64::INFINITY, f64::min)
+}
+
 /// The layers from the top down, without layers of thickness 0.
 pub(super) fn layers(stack: &Stack) -> Vec<PlacedLayer> {
     let mut layers: Vec<PlacedLayer> = Vec::new();

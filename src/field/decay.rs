@@ -2,7 +2,7 @@
 use std::f64::consts::PI;
 
 use super::Field;
-use super::body::{DepthRow, PlacedLayer};
+use super::body::{self, DepthRow, PlacedLayer};
 use super::pressure::ContactPressure;
 use super::surface::Remainder;
 use super::waves::{self, Precision};
@@ -67,7 +67,7 @@ impl Field {
             let pressure = &self.pressures[contact];
             // of a pressure that has waves of its own these are left where closed forms leave nothing
             let shift = face.map_or(0.0, |face| face.shift);
-            let shift = if pressure.has_waves() { shift.min(self.thinnest()) } else { shift };
+            let shift = if pressure.has_waves() { shift.min(body::thinnest(&self.layers)) } else { shift };
             let shift = Some(shift).filter(|shift| !shift.is_infinite())?;
             let distance = self.distance(placed, depth, side == 0);
             let thickness = placed.slowest * placed.thickness.unwrap_or(f64::INFINITY);
@@ -146,11 +146,6 @@ impl Field {
     pub(super) fn thickness(&self) -> f64 {
         // an empty sum would be -0
         self.layers.iter().filter_map(|placed| placed.thickness).fold(0.0, |sum, h| sum + h)
-    }
-
-    /// Thickness of the thinnest layer.
-    fn thinnest(&self) -> f64 {
-        self.layers.iter().filter_map(|placed| placed.thickness).fold(f64::INFINITY, f64::min)
     }
 
     /// Half-length of the narrowest strip on the top face that is one.

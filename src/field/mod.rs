@@ -138,9 +138,8 @@ impl Field {
         let mut pressures: Vec<ContactPressure> = contacts.iter().map(pressure).collect();
         if let (false, Some(above)) = (closed.is_empty(), contacts.last()) {
             let bodies = Arc::new(ClosedBodies::new(stack, modulus, &above.clone().moved(-middle), &closed, &gaps));
-            let thinnest = layers.iter().filter_map(|placed| placed.thickness).fold(f64::INFINITY, f64::min);
             let of = |(k, own): (usize, &ClosedInterface)| {
-                ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, thinnest))
+                ContactPressure::of_closed(own, is_even, Closed::new(&bodies, k + 1, body::thinnest(&layers)))
             };
             pressures.extend(closed.iter().enumerate().map(of));
         }
