@@ -2,24 +2,22 @@
 //!
 //! While all is closed a unit pressure on top of long or short waves makes the pressure t_i on interface i, so that the pressure of a punch or a load adds to the weight w_i
 //! the sum of all waves of its own transform times t_i.
+use std::convert::Infallible;
 use std::f64::consts::{PI, SQRT_2};
 
 use crate::field::ContactPressure;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::numeric::quadrature::{LARGEST, points, rule};
+use crate::numeric::search::{ByDistance, Low, Samples, places};
 use crate::numeric::waves::{Waves, fades};
 use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::stack::{Dent, Stack};
 use crate::system::Unresolved;
 
-/// Steps between places at which pressures and their slopes are found, over the mean wavelength, or in parts of how far from what presses they are looked at, and away from
-/// the ends of what presses in parts of the distance.
+/// Steps between places at which pressures are found, over the mean wavelength, or in parts of how far from what presses they are looked at.
 const STEP: f64 = 0.125;
 const PARTS: f64 = 64.0;
-const FARTHER: f64 = 0.1;
-/// Where places beside a least pressure have less than this part of the lowest one, another one is lower.
-const NEARLY: f64 = 0.5;
 /// Forces are scaled at most so often until the first interface opens.
 const SCALINGS: usize = 30;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
@@ -31,8 +29,6 @@ const COARSEST: f64 = 1e-9;
 /// Parts of a pressure on top that are less than this are none, and waves with a larger product of wavenumber and distance are left out, which do next to nothing where that is large.
 const NEGLIGIBLE: f64 = 1e-14;
 const MOST_PHASE: f64 = 3e4;
-/// Pressures are looked at by distances that differ by this factor.
-const NEARER: f64 = 8.0;
 /// Digits of the sums.
 const DIGITS: f64 = 15.0;
 /// The part of the pressures that rounding and sums leave.
@@ -50,17 +46,6 @@ pub(crate) struct Weights {
     pub(crate) by_dents: Vec<Waves>,
     /// How far dents that are pressed flat lower the face below the contact above.
     pub(crate) hollow: Option<Waves>,
-}
-
-/// The waves of one pressure, by the distances at which they are looked at, the farthest first.
-struct ByDistance(Vec<(f64, Waves)>);
-
-impl ByDistance {
-    /// The waves to look at from there.
-    fn near(&self, x: f64) -> &Waves {
-        let nearest = self.0.iter().rev().find(|(distance, _)| x.abs() <= *distance);
-        &nearest.unwrap_or(&self.0[0]).1
-    }
 }
 
 impl Weights {
@@ -103,10 +88,10 @@ impl Weights {
         let of = |(i, (interface, weight)): (usize, &(Interface, f64))| {
             let waves = self.by_distance(i + 1, (&pressure, is_even), &ends, middle);
             let [central, _] = waves.near(-middle).at(-middle);
-            let (x, least, tension) = self.least(&waves, *weight, &ends);
+            let (low, tension) = self.least(&waves, *weight, &ends);
             // where one interface opens, others need not
-            if let Some(ends) = tension.filter(|_| -least / weight > deepest) {
-                deepest = -least / weight;
+            if let Some(ends) = tension.filter(|_| -low.value > deepest) {
+                deepest = -low.value;
                 tensile = Some((i + 1, ends.map(|end| end + middle)));
             }
             ClosedInterface {
@@ -114,8 +99,8 @@ impl Weights {
                 weight: *weight,
                 central_pressure: weight + central,
                 central_pressure_error: error * central.abs() + ROUNDING * weight,
-                smallest_pressure: weight + least,
-                smallest_at: x + middle,
+                smallest_pressure: weight + weight * low.value,
+                smallest_at: low.place + middle,
                 openings: Vec::new(),
                 slopes: Vec::new(),
             }
@@ -179,8 +164,8 @@ impl Weights {
     /// Whether a dent is too deep for the weights to press it flat while nothing else presses.
     fn is_open_at_rest(&self) -> bool {
         let pulls = |(waves, (_, weight)): (&Waves, &(Interface, f64))| {
-            let all = ByDistance(vec![(self.farthest(), waves.clone())]);
-            self.least(&all, *weight, &[0.0]).1 < -weight
+            let all = ByDistance::of(waves.clone());
+            self.least(&all, *weight, &[0.0]).1.is_some()
         };
         self.by_dents.iter().zip(&self.interfaces).any(pulls)
     }
@@ -202,18 +187,20 @@ impl Weights {
         self.kernel.neighbours(own).find(|(there, _)| *there == other).map(|(_, pair)| pair)
     }
 
-    /// The waves of the pressure on interface i about a middle by the distances at which they are looked at, the farthest first: near what presses above, which has these ends, shorter waves matter than far
-    /// from there.
-    fn by_distance(&self, i: usize, pressure: (&ContactPressure, bool), ends: &[f64], middle: f64) -> ByDistance {
-        let (mut all, mut distance, pressed) = (Vec::new(), self.farthest(), longest(ends.iter().copied()));
-        loop {
+    /// The waves of the pressure on interface i about a middle, under what presses above, which has these ends.
+    fn by_distance(
+        &self,
+        i: usize,
+        pressure: (&ContactPressure, bool),
+        ends: &[f64],
+        middle: f64,
+    ) -> ByDistance<Waves> {
+        let pressed = longest(ends.iter().copied());
+        let Ok(all) = ByDistance::new(self.farthest(), pressed, |distance| {
             let (waves, is_whole) = self.waves(i, pressure, distance + 2.0 * pressed);
-            all.push((distance, self.with_dents(i, waves, middle, distance + pressed)));
-            if is_whole || distance <= pressed {
-                return ByDistance(all);
-            }
-            distance /= NEARER;
-        }
+            Ok::<_, Infallible>((self.with_dents(i, waves, middle, distance + pressed), is_whole))
+        });
+        all
     }
 
     /// The waves of the pressure on interface i that what presses above makes, at places as far as this from its ends, and whether none are left out that matter nearer to it.
@@ -291,53 +278,19 @@ impl Weights {
         waves
     }
 
-    /// Where waves are lowest, how low they are there, and from where to where layers come apart about that if this is more tension than a weight is pressure.
-    fn least(&self, all: &ByDistance, weight: f64, ends: &[f64]) -> (f64, f64, Option<[f64; 2]>) {
-        let farthest = self.farthest();
-        let [from, to] = [ends[0] - farthest, ends[ends.len() - 1] + farthest];
-        let nearest = all.near(0.0);
+    /// Where the pressure that waves add is least, in parts of a weight, and from where to where layers come apart about that if this is more tension than the weight is pressure.
+    fn least(&self, all: &ByDistance<Waves>, weight: f64, ends: &[f64]) -> (Low, Option<[f64; 2]>) {
+        let (farthest, nearest) = (self.farthest(), all.near(0.0));
+        let from = if nearest.is_even { 0.0 } else { ends[0] - farthest };
         let shortest = (STEP * 2.0 * PI / nearest.mean_wavenumber()).min(farthest / PARTS);
-        let mut places = vec![if nearest.is_even { 0.0 } else { from }];
-        while let Some(last) = places.last().copied().filter(|last| *last < to) {
-            let nearest = ends.iter().map(|end| (last - end).abs()).fold(f64::INFINITY, f64::min);
-            places.push((last + shortest.max(FARTHER * nearest)).min(to));
-        }
-        let looks: Vec<[f64; 2]> = places.iter().map(|x| all.near(*x).at(*x)).collect();
-        let last = places.len() - 1;
-        // what is even is flat at x = 0, too
-        let flat = if nearest.is_even && looks[0][0] < looks[last][0] { 0 } else { last };
-        let (mut x, mut least) = (places[flat], looks[flat][0]);
-        for k in (0..last).filter(|k| looks[*k][1] < 0.0 && looks[k + 1][1] >= 0.0) {
-            // the lowest of several is seen from nearby
-            if looks[k][0].min(looks[k + 1][0]) < NEARLY * least {
-                let waves = all.near(places[k]);
-                let place = waves.flat([places[k], places[k + 1]], [looks[k][1], looks[k + 1][1]]);
-                let [value, _] = waves.at(place);
-                if value < least {
-                    (x, least) = (place, value);
-                }
-            }
-        }
-        if least >= -(1.0 + COARSEST) * weight {
-            return (x, least, None);
-        }
-        // tension ends between two places, next to the least pressure like a parabola
-        let after = places.partition_point(|place| *place <= x);
-        let ends = |outwards: &mut dyn Iterator<Item = usize>| {
-            let mut inner = (x, least);
-            for k in outwards {
-                let [value, _] = looks[k];
-                if value >= -weight {
-                    let part = (-weight - inner.1) / (value - inner.1);
-                    let part = if inner.0 == x { part.sqrt() } else { part };
-                    return inner.0 + part * (places[k] - inner.0);
-                }
-                inner = (places[k], value);
-            }
-            inner.0
-        };
-        let tensile = [ends(&mut (0..after).rev()), ends(&mut (after..=last))];
+        let of = |waves: &Waves, places: &[f64]| places.iter().map(|x| waves.at(*x)[0] / weight).collect();
+        let of = |places: &[f64]| all.values(places, of);
+        let places = places([from, ends[ends.len() - 1] + farthest], ends, shortest);
+        let mut samples = Samples::new(places, of, |_| true);
+        let low = samples.lowest(of, |_| true);
         // a short opening is √2 as long as the pressure over it would be tension; where layers pull elsewhere is seen once they are apart here
-        (x, least, Some(tensile.map(|end| x + SQRT_2 * (end - x))))
+        let opens = low.value < -(1.0 + COARSEST);
+        let wider = |end: f64| low.place + SQRT_2 * (end - low.place);
+        (low, opens.then(|| samples.below(-1.0, &low).map(wider)))
     }
 }

@@ -185,6 +185,20 @@ impl Series {
         sum
     }
 
+    /// The derivative.
+    pub fn derivative(&self) -> Self {
+        let scale = 2.0 / (self.hi - self.lo);
+        let count = self.coefficients.len();
+        // c'_(k−1) = c'_(k+1) + 2k c_k, and half of it for k = 1
+        let mut coefficients = vec![0.0; count + 1];
+        for k in (1..count).rev() {
+            coefficients[k - 1] = coefficients[k + 1] + 2.0 * k as f64 * scale * self.coefficients[k];
+        }
+        coefficients[0] *= 0.5;
+        coefficients.truncate(count.saturating_sub(1).max(1));
+        Self { coefficients, ..*self }
+    }
+
     /// The size of the last coefficients relative to the largest: an estimate of the relative error.
     pub fn tail(&self) -> f64 {
         tail(&self.coefficients)

@@ -4,6 +4,7 @@ pub mod bessel;
 pub mod chebyshev;
 pub(crate) mod means;
 pub mod quadrature;
+pub(crate) mod search;
 pub(crate) mod trigonometry;
 pub(crate) mod vector;
 pub(crate) mod waves;

@@ -1,12 +1,7 @@
-//! Sums of waves, and places where these are flat.
+//! Sums of waves.
 use std::f64::consts::PI;
 
 use super::{bessel, trigonometry};
-
-/// Steps by false position to a place of a least value at most, which take some ten.
-const STEPS: usize = 60;
-/// Places are known to so much of themselves.
-const ROUNDING: f64 = 1e-13;
 
 /// Waves with the amplitudes of cos λx and sin λx, or about an axis of J₀(λr).
 #[derive(Clone, Debug, Default)]
@@ -72,30 +67,6 @@ impl Waves {
             values.iter().enumerate().map(wave).sum()
         };
         table.chunks(phases.len().max(1)).enumerate().map(of_order).collect()
-    }
-
-    /// Where the slope vanishes between two places at which it is known, before the second of which the value rises: by false position, in which an end that stays counts for half
-    /// of its slope.
-    pub(crate) fn flat(&self, [mut from, mut to]: [f64; 2], [mut falls, mut rises]: [f64; 2]) -> f64 {
-        let between = |[from, to]: [f64; 2], [falls, rises]: [f64; 2]| from - falls * (to - from) / (rises - falls);
-        let (mut x, mut last) = (between([from, to], [falls, rises]), 0.0);
-        for _ in 0..STEPS {
-            let slope = self.at(x)[1];
-            let side = if slope < 0.0 { -1.0 } else { 1.0 };
-            let stays = if side == last { 0.5 } else { 1.0 };
-            if side < 0.0 {
-                (from, falls, rises) = (x, slope, stays * rises);
-            } else {
-                (to, rises, falls) = (x, slope, stays * falls);
-            }
-            let next = between([from, to], [falls, rises]);
-            let is_inside = from < next && next < to;
-            if !is_inside || (next - x).abs() <= ROUNDING * x.abs() {
-                return if is_inside { next } else { x };
-            }
-            (x, last) = (next, side);
-        }
-        x
     }
 
     /// The mean of the wavenumbers, by the sizes of waves.

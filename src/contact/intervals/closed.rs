@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 
 use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::errors::Errors;
-use crate::contact::intervals::gaps::{self, Fault, Gaps, Least, Signs};
+use crate::contact::intervals::gaps::{self, Fault, Gaps, Signs};
 use crate::contact::intervals::newton::Approximation;
 use crate::contact::intervals::of_contacts;
 use crate::contact::intervals::pressure::Pressure;
@@ -12,17 +12,12 @@ use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::closed::ClosedPressure;
 use crate::contact::problem::{Problem, Side};
 use crate::numeric::largest;
+use crate::numeric::search::{ByDistance, Low, Samples, begins, places};
 use crate::solution::{ClosedInterface, Contact, Opening, Strip};
 
-/// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face, and the growth of steps beyond all ends.
+/// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face.
 const PLACES: usize = 16;
 const WAVES: f64 = 4.0;
-const FARTHER: f64 = 0.1;
-/// Small pressures are resolved where they differ by less than this part of the weight from the next ones, which are brought closer together so often.
-const RESOLVED: f64 = 0.25;
-const CLOSER: usize = 6;
-/// Pressures are looked at by distances that differ by this factor.
-const NEARER: f64 = 8.0;
 
 /// The contacts of a solution while all is closed, in units of L, with openings at some places.
 pub(crate) fn of_openings(
@@ -50,7 +45,7 @@ pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves
 ///
 /// # Errors
 /// [`Fault::Penetration`] where the layers would pull: there is another opening there.
-fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<Least>, Fault> {
+fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<Low>, Fault> {
     let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
     if opened.is_empty() {
         return Ok(Vec::new());
@@ -58,158 +53,84 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
     let mut lengths = Lengths::of(problem, &level.support, &level.counts, negligible(FIELDS));
     lengths.exponentials.iter_mut().for_each(Vec::clear);
     let (reach, farthest) = (largest(lengths.ends.iter().copied()), 0.5 * problem.kernel.farthest());
-    let layouts = layouts(problem, &lengths, negligible(FIELDS), reach + farthest).ok_or(Fault::Unknown)?;
-    let own = Pressures::new(problem, &layouts, level);
+    let layouts = layouts(problem, &lengths, negligible(FIELDS), reach + farthest)?;
+    let own = pressures(problem, &layouts, level);
     let of = |contact: usize| {
         let Side::Openings(pressed) = &problem.sides[contact] else { return None };
         let intervals = level.support.of(contact);
-        let is_closed = |x: &f64| intervals.iter().all(|own| *x < own.from() || *x > own.to());
+        let is_closed = |[from, to]: [f64; 2]| intervals.iter().all(|own| to < own.from() || from > own.to());
         // waves as short as the layers at the faces feel
         let step = PI / (WAVES * problem.kernel.governed_by_faces(contact).max(farthest.recip()));
+        let shortest = intervals.iter().map(|own| 4.0 * own.half / PLACES as f64).fold(step, f64::min);
+        let shortest = shortest.max(reach / (8 * PLACES) as f64);
         // what is even is looked at on the right
         let from = if problem.is_even() { 0.0 } else { -reach - farthest };
-        let mut places: Vec<f64> = places(intervals, reach, [from, reach + farthest], step);
-        places.retain(is_closed);
-        let pressures = |places: &[f64]| own.at(contact, pressed, places);
-        let pressures = resolved(&mut places, pressures, pressed.weight, is_closed);
-        Some(Outside { contact, weight: pressed.weight, places, pressures })
+        let of = |places: &[f64]| deviations(&own, contact, pressed, places);
+        let mut samples = Samples::new(places([from, reach + farthest], &lengths.ends, shortest), of, is_closed);
+        let low = samples.lowest(of, is_closed);
+        Some(Outside { contact, pressed, samples, low })
     };
     let all: Vec<Outside> = opened.into_iter().filter_map(of).collect();
     // where layers pull most they come apart first: others need not then
-    let tension = |own: &Outside| -own.pressures[own.least()];
-    let mut pulling: Vec<&Outside> = all.iter().filter(|own| tension(own) > COARSE.max(error) * own.weight).collect();
-    pulling.sort_by(|a, b| tension(b).total_cmp(&tension(a)));
+    let mut pulling: Vec<&Outside> = all.iter().filter(|own| own.tension() > COARSE.max(error)).collect();
+    pulling.sort_by(|a, b| b.tension().total_cmp(&a.tension()));
     if !pulling.is_empty() {
         // fewer terms tell how well it is known
         let coarse = level.coarse();
-        let before = Pressures::new(problem, &layouts, &coarse);
+        let before = pressures(problem, &layouts, &coarse);
         let is_known = |own: &&&Outside| {
-            let Side::Openings(pressed) = &problem.sides[own.contact] else { return false };
-            let before = before.at(own.contact, pressed, &[own.places[own.least()]])[0];
-            tension(own) > SAFETY * (tension(own) + before).abs()
+            let before = deviations(&before, own.contact, own.pressed, &[own.low.place])[0];
+            own.tension() > SAFETY * (own.low.value - before).abs()
         };
-        pulling.iter().find(is_known).map_or(Ok(()), |own| Err(own.tension()))?;
+        pulling.iter().find(is_known).map_or(Ok(()), |own| Err(own.fault()))?;
     }
-    Ok(all.iter().map(Outside::smallest).collect())
+    Ok(all.iter().map(|own| own.low).collect())
 }
 
-/// Pressures on an interface at places outside its openings, in ascending order.
-struct Outside {
+/// Pressures on an interface outside its openings.
+struct Outside<'a> {
     contact: usize,
-    weight: f64,
-    places: Vec<f64>,
-    pressures: Vec<f64>,
+    pressed: &'a ClosedPressure<'a>,
+    samples: Samples,
+    low: Low,
 }
 
-impl Outside {
-    /// The number of the place where the pressure is smallest.
-    fn least(&self) -> usize {
-        let order = |a: &usize, b: &usize| self.pressures[*a].total_cmp(&self.pressures[*b]);
-        (0..self.places.len()).min_by(order).unwrap_or(0)
-    }
-
-    /// The place where the pressure is smallest, with its neighbours.
-    fn smallest(&self) -> Least {
-        let (least, at) = (self.least(), |k: usize| self.places[k.min(self.places.len() - 1)]);
-        // what is even goes on on the left
-        let left = if least > 0 { at(least - 1) } else { -at(usize::from(at(0) == 0.0)) };
-        Least([left, at(least), at(least + 1)])
+impl Outside<'_> {
+    /// The largest tension, in parts of the weight.
+    fn tension(&self) -> f64 {
+        -1.0 - self.low.value
     }
 
     /// The tension about the place where it is largest.
-    fn tension(&self) -> Fault {
-        let Self { contact, weight, places, pressures } = self;
-        let least = self.least();
-        let is_tensile = |k: &usize| pressures[*k] < 0.0;
-        let first = (0..=least).rev().take_while(is_tensile).last().unwrap_or(least);
-        let last = (least..places.len()).take_while(is_tensile).last().unwrap_or(least);
-        // a line to the next place ends before the tension does
-        let end = |k: usize, next: usize| {
-            let part = pressures[k] / (pressures[k] - pressures[next]);
-            if (0.0..1.0).contains(&part) { places[k] + part * (places[next] - places[k]) } else { places[k] }
-        };
-        let over = [end(first, first.saturating_sub(1)), end(last, (last + 1).min(places.len() - 1))];
-        Fault::Penetration { contact: *contact, punch: 0, at: places[least], depth: -pressures[least] / weight, over }
+    fn fault(&self) -> Fault {
+        let over = self.samples.below(-1.0, &self.low);
+        Fault::Penetration { contact: self.contact, punch: 0, at: self.low.place, depth: self.tension(), over }
     }
 }
 
-/// Layouts that resolve pressures out to some distances, the farthest first: near what presses shorter waves matter than far from there.
-fn layouts(problem: &Problem, lengths: &Lengths, negligible: f64, farthest: f64) -> Option<Vec<(f64, Layout)>> {
+/// Layouts that resolve pressures out to some distances.
+fn layouts(problem: &Problem, lengths: &Lengths, negligible: f64, farthest: f64) -> Result<ByDistance<Layout>, Fault> {
     let reach = largest(lengths.ends.iter().copied());
-    let mut all = Vec::new();
-    let mut span = farthest;
-    loop {
-        let layout = Layout::new(problem.kernel, lengths, negligible, span)?.faded();
-        let is_last = layout.left_out_from.is_infinite() || span <= reach;
-        all.push((span, layout));
-        if is_last {
-            return Some(all);
-        }
-        span /= NEARER;
-    }
+    ByDistance::new(farthest, reach, |span| {
+        let layout = Layout::new(problem.kernel, lengths, negligible, span).ok_or(Fault::Unknown)?.faded();
+        let is_whole = layout.left_out_from.is_infinite();
+        Ok((layout, is_whole))
+    })
 }
 
 /// The pressures on interfaces that a solution leaves, by the distances that layouts resolve.
-struct Pressures<'a>(Vec<(f64, Gaps<'a>)>);
-
-impl<'a> Pressures<'a> {
-    fn new(problem: &'a Problem<'a>, layouts: &'a [(f64, Layout)], level: &'a Approximation) -> Self {
-        Self(layouts.iter().map(|(span, layout)| (*span, Gaps::new(problem, layout, level))).collect())
-    }
-
-    /// At places outside openings, from the pressure of the interface while nothing else presses.
-    fn at(&self, contact: usize, pressed: &ClosedPressure, places: &[f64]) -> Vec<f64> {
-        let mut all = vec![0.0; places.len()];
-        for (k, (span, gaps)) in self.0.iter().enumerate() {
-            let next = self.0.get(k + 1).map_or(f64::NEG_INFINITY, |(span, _)| *span);
-            let is_own = |x: &f64| (k == 0 || x.abs() <= *span) && x.abs() > next;
-            let numbers: Vec<usize> = (0..places.len()).filter(|number| is_own(&places[*number])).collect();
-            let own: Vec<f64> = numbers.iter().map(|number| places[*number]).collect();
-            let pressures = gaps.pressures(contact, pressed, &own);
-            numbers.iter().zip(pressures).for_each(|(number, pressure)| all[*number] = pressure);
-        }
-        all
-    }
+fn pressures<'a>(
+    problem: &'a Problem<'a>,
+    layouts: &'a ByDistance<Layout>,
+    level: &'a Approximation,
+) -> ByDistance<Gaps<'a>> {
+    layouts.map(|layout| Gaps::new(problem, layout, level))
 }
 
-/// The pressures at some places, and at others between these until the ones about each small pressure differ by little of the weight.
-fn resolved(
-    places: &mut Vec<f64>,
-    pressures: impl Fn(&[f64]) -> Vec<f64>,
-    weight: f64,
-    is_closed: impl Fn(&f64) -> bool,
-) -> Vec<f64> {
-    let mut found = pressures(places);
-    for _ in 0..CLOSER {
-        let last = places.len().saturating_sub(1);
-        let is_least = |k: usize| found[k] <= found[k.saturating_sub(1)] && found[k] <= found[(k + 1).min(last)];
-        let is_small = |k: usize| found[k] < weight && is_least(k);
-        let is_coarse =
-            |k: &usize| (found[*k] - found[k + 1]).abs() > RESOLVED * weight && (is_small(*k) || is_small(k + 1));
-        let between = (0..last).filter(is_coarse).map(|k| 0.5 * (places[k] + places[k + 1]));
-        let more: Vec<f64> = between.filter(&is_closed).collect();
-        if more.is_empty() {
-            break;
-        }
-        let of_more = pressures(&more);
-        let before = places.drain(..).zip(found);
-        let mut all: Vec<(f64, f64)> = before.chain(more.into_iter().zip(of_more)).collect();
-        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-        (*places, found) = all.into_iter().unzip();
-    }
-    found
-}
-
-/// Places on an interface, dense as far as contacts and openings reach.
-fn places(intervals: &[ContactInterval], reach: f64, [from, to]: [f64; 2], step: f64) -> Vec<f64> {
-    let shortest = intervals.iter().map(|own| 4.0 * own.half / PLACES as f64).fold(step, f64::min);
-    let step = shortest.max(reach / (8 * PLACES) as f64);
-    let mut places = vec![from];
-    while let Some(last) = places.last().copied().filter(|last| *last < to) {
-        let beyond = (last.abs() - reach).max(0.0);
-        places.push(last + step.max(FARTHER * beyond));
-    }
-    places
+/// By how much pressures outside openings differ from the weight, in parts of the weight.
+fn deviations(own: &ByDistance<Gaps>, contact: usize, pressed: &ClosedPressure, places: &[f64]) -> Vec<f64> {
+    let pressures = own.values(places, |gaps, places| gaps.pressures(contact, pressed, places));
+    pressures.into_iter().map(|pressure| pressure / pressed.weight - 1.0).collect()
 }
 
 /// What is said of each interface that lies on another one, in units of L and per unit of P', with x = 0 of the scene.
@@ -217,7 +138,7 @@ pub(super) fn found(
     problem: &Problem,
     level: &Approximation,
     errors: &Errors,
-    least: &[Least],
+    least: &[Low],
 ) -> Option<Vec<ClosedInterface>> {
     let opened: Vec<usize> = (0..problem.contacts()).filter(|contact| problem.is_opened(*contact)).collect();
     if opened.is_empty() {
@@ -232,10 +153,10 @@ pub(super) fn found(
         lengths.turned[contact] = lengths.turned[contact].max(enough);
         lengths.exponentials[contact] = asymptote.exponentials();
     }
-    let farthest = least.iter().flat_map(|own| own.0).fold(problem.origin.abs(), |most, x| most.max(x.abs()));
-    let layouts = layouts(problem, &lengths, negligible, farthest)?;
-    let own = Pressures::new(problem, &layouts, level);
-    let of = |(contact, least): (usize, &Least)| {
+    let farthest = least.iter().flat_map(|own| own.ends).fold(problem.origin.abs(), |most, x| most.max(x.abs()));
+    let layouts = layouts(problem, &lengths, negligible, farthest).ok()?;
+    let own = pressures(problem, &layouts, level);
+    let of = |(contact, least): (usize, &Low)| {
         let Side::Openings(pressed) = &problem.sides[contact] else { return None };
         let weight = pressed.weight;
         let numbers = || (0..level.support.0.len()).filter(|number| level.support.0[*number].contact == contact);
@@ -250,10 +171,13 @@ pub(super) fn found(
         let x = -problem.origin;
         // it is zero where an opening ends
         let end = openings.last().map(|last| (0.0, last.right));
-        let pressures = |places: &[f64]| own.at(contact, pressed, places);
-        let (smallest_pressure, smallest_at) = end.unwrap_or_else(|| least.refined(pressures));
+        let deviations = |places: &[f64]| deviations(&own, contact, pressed, places);
+        let (smallest_pressure, smallest_at) = end.unwrap_or_else(|| {
+            let low = Low::between(least.ends, deviations);
+            (weight + weight * low.value, low.place)
+        });
         let is_open = openings.iter().any(|own| own.left <= x && x <= own.right);
-        let central = if is_open { 0.0 } else { pressures(&[x])[0] };
+        let central = if is_open { 0.0 } else { weight + weight * deviations(&[x])[0] };
         Some(ClosedInterface {
             interface: problem.interfaces[contact],
             weight,
@@ -292,15 +216,9 @@ fn widest(pressure: &Pressure, interval: &ContactInterval) -> f64 {
     if interval.is_even() && largest + 1 == gaps.len() {
         return 0.5 * PI;
     }
-    let (mut from, mut to) = (angle(largest), angle(largest + 2));
     let strip = pressure.strip(interval);
-    // halved down to rounding
-    for _ in 0..50 {
-        let middle = 0.5 * (from + to);
-        // the gap grows from the left end on, where angles are large
-        if strip.pressure(interval.place(middle)) > 0.0 { to = middle } else { from = middle }
-    }
-    0.5 * (from + to)
+    // the gap grows from the left end on, where angles are large
+    begins([angle(largest), angle(largest + 2)], |phi| strip.pressure(interval.place(phi)) > 0.0)
 }
 
 impl Opening {

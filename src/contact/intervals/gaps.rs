@@ -11,16 +11,13 @@ use crate::contact::problem::abel;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, PLACES, SAFETY};
 use crate::contact::problem::closed::ClosedPressure;
 use crate::contact::problem::twin::Twin;
+use crate::numeric::search::Low;
 use crate::numeric::trigonometry::{self, sin_cos};
 use crate::numeric::vector::{LANES, Lanes, vectorised};
 
 /// Gaps are found from waves up to this multiple of the wavenumber where pressures begin to have tails: shorter ones do next to nothing to them, since what is
 /// left falls like ζ^(−5/2). Twice as many: gaps differ in the seventh digit.
 const FARTHER: f64 = 2.0;
-/// How often the neighbours of the smallest pressure are brought closer together, each time to two of this number of parts of their distance.
-const CLOSER: usize = 6;
-const AMONG: usize = 6;
-
 /// What the check found, per unit of P'.
 pub(super) struct Signs {
     /// Smallest pressure in the contacts, and smallest gap outside.
@@ -33,31 +30,7 @@ pub(super) struct Signs {
     /// Intervals with next to no force that are left out.
     pub(super) recontacts: Vec<Recontact>,
     /// Where the smallest pressure on each interface that lies on another one is.
-    pub(super) closed: Vec<Least>,
-}
-
-/// The place of the smallest of some pressures on an interface, with its neighbours.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Least(pub(super) [f64; 3]);
-
-impl Least {
-    /// The smallest pressure between the neighbours and its place: these are brought closer together, and a parabola goes through the last three places.
-    pub(super) fn refined(&self, pressures: impl Fn(&[f64]) -> Vec<f64>) -> (f64, f64) {
-        let mut three = self.0;
-        let mut found = pressures(&three);
-        for _ in 0..CLOSER {
-            let [from, _, to] = three;
-            let places: Vec<f64> = (0..=AMONG).map(|k| from + (to - from) * k as f64 / AMONG as f64).collect();
-            let all = pressures(&places);
-            let least = (1..AMONG).min_by(|a, b| all[*a].total_cmp(&all[*b])).unwrap_or(1);
-            (three, found) =
-                ([-1, 0, 1].map(|k| places[least.saturating_add_signed(k)]), all[least - 1..=least + 1].to_vec());
-        }
-        let ([from, at, to], [left, least, right]) = (three, [found[0], found[1], found[2]]);
-        let [before, after] = [(left - least) / (at - from), (right - least) / (to - at)];
-        let next = at + 0.5 * (before * (to - at) - after * (at - from)) / (before + after);
-        if from < next && next < to { (pressures(&[next])[0], next) } else { (least, at) }
-    }
+    pub(super) closed: Vec<Low>,
 }
 
 /// Where a pressure or a gap is negative.

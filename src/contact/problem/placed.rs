@@ -5,6 +5,7 @@ use crate::contact::problem::face::Face;
 use crate::contact::problem::profile::{NEARLY, PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
+use crate::numeric::search::begins;
 use crate::scene::{Gap, Pressed, Punches, Tilt};
 
 /// A punch at a place, in units of L, which counts from where x = 0 is in the problem.
@@ -114,12 +115,7 @@ impl<'a> Placed<'a> {
         while high < edge && high < 1e6 && !rises(high) {
             (low, high) = (high, (2.0 * high).min(edge));
         }
-        // halved down to rounding
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if rises(middle) { high = middle } else { low = middle }
-        }
-        self.at + side * 0.5 * (low + high)
+        self.at + side * begins([low, high], rises)
     }
 
     /// Where its tip is.
