@@ -5,6 +5,7 @@
 use std::convert::Infallible;
 use std::f64::consts::{PI, SQRT_2};
 
+use crate::contact::ContactError;
 use crate::field::ContactPressure;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
@@ -19,7 +20,7 @@ use crate::system::Unresolved;
 const STEP: f64 = 0.125;
 const PARTS: f64 = 64.0;
 /// Forces are scaled at most so often until the first interface opens.
-const SCALINGS: usize = 30;
+const SCALINGS: usize = 20;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
 const ENOUGH: f64 = 1e-9;
 /// Tension is taken to grow no more slowly than like this power of the forces, so that these do not grow beyond all bounds.
@@ -114,7 +115,7 @@ impl Weights {
         &self,
         solution: &Solution,
         is_linear: bool,
-        scaled: impl Fn(f64) -> Option<Solution>,
+        scaled: impl Fn(f64) -> Result<Solution, ContactError>,
     ) -> Option<Separation> {
         // the largest tension over the weight, which has to be 1
         let opens = |solution: &Solution| {
@@ -127,9 +128,11 @@ impl Weights {
         }
         let (mut factor, mut power, (mut tension, mut own)) = (1.0, 1.0, opens(solution)?);
         let (mut below, mut above) = (0.0, f64::INFINITY);
-        let is_found = |tension: f64| is_linear || (tension - 1.0).abs() < ENOUGH;
+        // what presses is not known better
+        let mut error = self.above_error(solution);
+        let is_found = |tension: f64, error: f64| is_linear || (tension - 1.0).abs() < error.max(ENOUGH);
         for _ in 0..SCALINGS {
-            if tension <= 0.0 || is_found(tension) {
+            if tension <= 0.0 || is_found(tension, error) {
                 break;
             }
             if tension < 1.0 {
@@ -140,24 +143,28 @@ impl Weights {
             // tension grows like a power of the forces, which the last two of them tell
             let expected = factor * tension.powf(-1.0 / power);
             let next = if below < expected && expected < above { expected } else { (below * above).sqrt() };
-            // a punch may not carry as much
-            let Some(solution) = scaled(next) else {
-                above = next;
-                continue;
+            let solution = match scaled(next) {
+                Ok(solution) => solution,
+                // a punch may not carry as much
+                Err(ContactError::NoSolution(cause)) if cause.is_input() => {
+                    above = next;
+                    continue;
+                }
+                Err(_) => return None,
             };
             let before = (factor, tension);
-            factor = next;
+            (factor, error) = (next, self.above_error(&solution));
             (tension, own) = opens(&solution)?;
             let grows = (tension / before.1).ln() / (factor / before.0).ln();
             power = grows.max(SLOWEST);
         }
-        if tension <= 0.0 || !is_found(tension) {
+        if tension <= 0.0 || !is_found(tension, error) {
             return None;
         }
         // more than a secant leaves of it
         let missed = if is_linear { 0.0 } else { (tension - 1.0).abs() };
         let critical_force = factor * tension.powf(-1.0 / power) * solution.force();
-        let critical_force_error = (self.above_error(solution) + missed) * critical_force;
+        let critical_force_error = (error + missed) * critical_force;
         Some(Separation { critical_force, critical_force_error, interface: own.interface, x: own.smallest_at })
     }
 

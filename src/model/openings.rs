@@ -1,6 +1,6 @@
 //! Layers that weights press together: solutions while all is closed, the force under which they begin to come apart, and solutions with openings.
 use super::Model;
-use crate::contact::{self, Asked, NoSolution};
+use crate::contact::{self, Asked, ContactError, NoSolution};
 use crate::errors::Error;
 use crate::options::Options;
 use crate::scene::{Force, Top};
@@ -39,12 +39,12 @@ impl Model {
     }
 
     /// The solution while all is closed under all forces of another one scaled by a factor.
-    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Option<Solution> {
+    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Result<Solution, ContactError> {
         let forces = solution.punches().iter().map(|carried| factor * carried.force);
         let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
         let top = scaled.unwrap_or_else(|| top.clone());
         let force = Force::Given(factor * solution.force());
-        contact::press(&self.asked(&top, &Options::default()), force).ok()
+        contact::press(&self.asked(&top, &Options::default()), force)
     }
 
     /// When layers that weights press together begin to come apart, if all forces on the top are scaled together; `None` if nothing presses layers together, or if no force

@@ -3,6 +3,9 @@ use std::f64::consts::PI;
 
 use super::{bessel, trigonometry};
 
+/// Integrals of as many waves are found at once.
+const AT_ONCE: usize = 256;
+
 /// Waves with the amplitudes of cos λx and sin λx, or about an axis of J₀(λr).
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Waves {
@@ -53,20 +56,24 @@ impl Waves {
 
     /// ∫ f' cos kφ dφ over 0 < φ < π of the slope f' at x = middle + half cos φ, for the k below a number: π i^k J_k(λ half) of a wave exp(iλx). Not about an axis.
     pub(crate) fn slope_tests(&self, middle: f64, half: f64, count: usize) -> Vec<f64> {
-        let phases: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * middle).collect();
-        let arguments: Vec<f64> = self.wavenumbers.iter().map(|wave| wave * half).collect();
-        let [sines, cosines, _] = trigonometry::waves(&phases);
-        let mut table = vec![0.0; count * phases.len()];
-        bessel::table(count, &arguments, &mut table);
         let [even, odd] = &self.amplitudes;
-        let of_order = |(k, values): (usize, &[f64])| {
-            let wave = |(n, value): (usize, &f64)| {
-                let (cos, sin) = (even[n] * cosines[n] + odd[n] * sines[n], even[n] * sines[n] - odd[n] * cosines[n]);
-                PI * self.wavenumbers[n] * value * [-sin, -cos, sin, cos][k % 4]
-            };
-            values.iter().enumerate().map(wave).sum()
-        };
-        table.chunks(phases.len().max(1)).enumerate().map(of_order).collect()
+        let mut tests = vec![0.0; count];
+        // many waves at once would take much memory
+        for some in (0..self.wavenumbers.len()).step_by(AT_ONCE) {
+            let some = some..(some + AT_ONCE).min(self.wavenumbers.len());
+            let phases: Vec<f64> = self.wavenumbers[some.clone()].iter().map(|wave| wave * middle).collect();
+            let arguments: Vec<f64> = self.wavenumbers[some.clone()].iter().map(|wave| wave * half).collect();
+            let [sines, cosines, _] = trigonometry::waves(&phases);
+            let mut table = vec![0.0; count * phases.len()];
+            bessel::table(count, &arguments, &mut table);
+            for (k, (test, values)) in tests.iter_mut().zip(table.chunks(phases.len())).enumerate() {
+                for ((n, value), (sin, cos)) in some.clone().zip(values).zip(sines.iter().zip(&cosines)) {
+                    let (cos, sin) = (even[n] * cos + odd[n] * sin, even[n] * sin - odd[n] * cos);
+                    *test += PI * self.wavenumbers[n] * value * [-sin, -cos, sin, cos][k % 4];
+                }
+            }
+        }
+        tests
     }
 
     /// The mean of the wavenumbers, by the sizes of waves.

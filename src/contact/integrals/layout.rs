@@ -192,7 +192,7 @@ impl Layout {
             if edge >= last {
                 break;
             }
-            if self.zeta.len() > 2 * MOST_WAVENUMBERS {
+            if self.zeta.len() > 4 * MOST_WAVENUMBERS {
                 return None;
             }
             let panel = plan.kernel.panels.get(panel);

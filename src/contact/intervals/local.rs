@@ -38,7 +38,8 @@ impl Local {
         let apex = side.profile().filter(|profile| interval.is_even() && !profile.is_sharp());
         let (middle, error) = match apex {
             Some(profile) => {
-                (middle(vec![interval.twin.alone(interval.half) / limit * profile.apex(interval.half)]), 0.0)
+                let apex = profile.apex(interval.half, count);
+                (middle(vec![interval.twin.alone(interval.half) / limit * apex]), 0.0)
             }
             None => (summed(&terms), (summed(&terms) - summed(&terms[..count / 2])).abs()),
         };

@@ -134,8 +134,8 @@ impl PunchProfile<'_> {
     }
 
     /// ∫ f'(a cos θ)/cos θ ... from 0 to π/2, over P': the sum of all odd rows.
-    pub(crate) fn apex(&self, half_length: f64) -> f64 {
-        let of_face = self.face.apex(half_length * self.length) / self.force;
+    pub(crate) fn apex(&self, half_length: f64, most: usize) -> f64 {
+        let of_face = self.face.apex(half_length * self.length, most) / self.force;
         if matches!(self.shape, Shape::Powers { .. }) {
             let sum = |(power, slope): (f64, f64)| {
                 let moment = slope * self.twin.moment(power + 1.0) * (power + 1.0 + 2.0 * self.twin.shift) / power;

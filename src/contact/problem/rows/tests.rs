@@ -115,14 +115,14 @@ fn the_pressure_at_the_tip_is_the_sum_of_all_rows() {
         }
         let width = FRAC_PI_2 / f64::from(points);
         let places = (0..points).map(|q| profile.place(span, width * (f64::from(q) + 0.5), 0.5 * width));
-        let (found, expected) = (profile.apex(1.7), places.map(|(theta, value)| value / theta.cos()).sum::<f64>());
+        let (found, expected) = (profile.apex(1.7, 0), places.map(|(theta, value)| value / theta.cos()).sum::<f64>());
         assert!((found / expected - 1.0).abs() < 1e-6, "{punch} {twin:?}: {found} {expected}");
     }
     let [power, wedge] = [Punch::power(3.5, 1.3, 0.1).unwrap(), Punch::wedge(1.0).unwrap()];
     let power = profile(&power, Twin::Plane);
     let sum: f64 = power.rows(span, 4000).iter().sum();
-    assert!((sum / power.apex(1.7) - 1.0).abs() < 1e-6);
-    assert_eq!(profile(&wedge, Twin::Plane).apex(1.0), f64::INFINITY);
+    assert!((sum / power.apex(1.7, 0) - 1.0).abs() < 1e-6);
+    assert_eq!(profile(&wedge, Twin::Plane).apex(1.0, 0), f64::INFINITY);
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn corners_next_to_the_tip_take_no_digits_of_the_pressure_there() {
         // ∫ (2/cosh u − c) du up to where both are the same
         let end = (2.0 / corner).acosh();
         let (found, exact) =
-            (PunchProfile::new(&punch, 1.0, 1.0, Twin::Plane).apex(2.0), 2.0 * end.sinh().atan() - corner * end);
+            (PunchProfile::new(&punch, 1.0, 1.0, Twin::Plane).apex(2.0, 0), 2.0 * end.sinh().atan() - corner * end);
         assert!((found / exact - 1.0).abs() < 1e-13, "{corner}: {found} {exact}");
     }
 }
