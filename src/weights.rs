@@ -2,6 +2,7 @@
 //!
 //! While all is closed a unit pressure on top of long or short waves makes the pressure t_i on interface i, so that the pressure of a punch or a load adds to the weight w_i
 //! the sum of all waves of its own transform times t_i.
+use std::borrow::Cow;
 use std::convert::Infallible;
 use std::f64::consts::{PI, SQRT_2};
 
@@ -23,6 +24,8 @@ const PARTS: f64 = 64.0;
 const SCALINGS: usize = 20;
 /// Forces are scaled once more where tension differs from the weight by so much, relative.
 const ENOUGH: f64 = 1e-9;
+/// Forces grow by no more than this from one scaling to the next.
+const FASTEST: f64 = 10.0;
 /// Tension is taken to grow no more slowly than like this power of the forces, so that these do not grow beyond all bounds.
 const SLOWEST: f64 = 0.2;
 /// Tension counts as none below this part of the weight.
@@ -65,7 +68,7 @@ impl Weights {
         if own.dents.is_empty() {
             return Ok(Some(own));
         }
-        let of = |i: usize| own.with_dents(i, Waves::default(), 0.0, 2.0 * own.farthest());
+        let of = |i: usize| own.with_dents(i, Waves::default(), 0.0, 2.0 * own.farthest()).0;
         let (hollow, by_dents) = (Some(of(0)), (1..=own.interfaces.len()).map(of).collect());
         Ok(Some(Self { by_dents, hollow, ..own }))
     }
@@ -110,30 +113,42 @@ impl Weights {
         (closed, tensile)
     }
 
-    /// When the first interface opens, from a solution, and unless pressures are proportional to forces from others under all forces scaled by a factor.
+    /// When the first interface opens, from a solution, and unless pressures are proportional to forces from others under all forces scaled by a factor; `None` if this is not found,
+    /// or not before a contact above is so long that layers pull hardly more under more force.
     pub(crate) fn separation(
         &self,
         solution: &Solution,
         is_linear: bool,
         scaled: impl Fn(f64) -> Result<Solution, ContactError>,
     ) -> Option<Separation> {
+        if self.is_open_at_rest() {
+            return None;
+        }
         // the largest tension over the weight, which has to be 1
         let opens = |solution: &Solution| {
             let all = self.under(solution).0.into_iter();
             let tension = |own: &ClosedInterface| 1.0 - own.smallest_pressure / own.weight;
             all.map(|own| (tension(&own), own)).max_by(|(a, _), (b, _)| a.total_cmp(b))
         };
-        if self.is_open_at_rest() {
-            return None;
-        }
         let (mut factor, mut power, (mut tension, mut own)) = (1.0, 1.0, opens(solution)?);
         let (mut below, mut above) = (0.0, f64::INFINITY);
-        // what presses is not known better
-        let mut error = self.above_error(solution);
-        let is_found = |tension: f64, error: f64| is_linear || (tension - 1.0).abs() < error.max(ENOUGH);
+        let mut last = Cow::Borrowed(solution);
         for _ in 0..SCALINGS {
-            if tension <= 0.0 || is_found(tension, error) {
-                break;
+            let (missed, error) = ((tension - 1.0).abs(), self.above_error(&last));
+            if tension > 0.0 && (is_linear || missed < error.max(ENOUGH)) {
+                let critical_force = factor * tension.powf(-1.0 / power) * solution.force();
+                // more than a secant leaves of what is missed
+                let relative = if is_linear { error } else { error + missed };
+                let critical_force_error = relative * critical_force;
+                return Some(Separation {
+                    critical_force,
+                    critical_force_error,
+                    interface: own.interface,
+                    x: own.smallest_at,
+                });
+            }
+            if tension <= 0.0 || tension < 1.0 && last.contacts()[self.kernel.lowest()].reach() > self.farthest() {
+                return None;
             }
             if tension < 1.0 {
                 below = factor
@@ -141,31 +156,24 @@ impl Weights {
                 above = factor
             }
             // tension grows like a power of the forces, which the last two of them tell
-            let expected = factor * tension.powf(-1.0 / power);
+            let expected = (factor * tension.powf(-1.0 / power)).min(FASTEST * factor);
             let next = if below < expected && expected < above { expected } else { (below * above).sqrt() };
-            let solution = match scaled(next) {
-                Ok(solution) => solution,
+            match scaled(next) {
+                Ok(solution) => last = Cow::Owned(solution),
                 // a punch may not carry as much
                 Err(ContactError::NoSolution(cause)) if cause.is_input() => {
                     above = next;
                     continue;
                 }
                 Err(_) => return None,
-            };
+            }
             let before = (factor, tension);
-            (factor, error) = (next, self.above_error(&solution));
-            (tension, own) = opens(&solution)?;
+            factor = next;
+            (tension, own) = opens(&last)?;
             let grows = (tension / before.1).ln() / (factor / before.0).ln();
             power = grows.max(SLOWEST);
         }
-        if tension <= 0.0 || !is_found(tension, error) {
-            return None;
-        }
-        // more than a secant leaves of it
-        let missed = if is_linear { 0.0 } else { (tension - 1.0).abs() };
-        let critical_force = factor * tension.powf(-1.0 / power) * solution.force();
-        let critical_force_error = (error + missed) * critical_force;
-        Some(Separation { critical_force, critical_force_error, interface: own.interface, x: own.smallest_at })
+        None
     }
 
     /// Whether a dent is too deep for the weights to press it flat while nothing else presses.
@@ -205,7 +213,8 @@ impl Weights {
         let pressed = longest(ends.iter().copied());
         let Ok(all) = ByDistance::new(self.farthest(), pressed, |distance| {
             let (waves, is_whole) = self.waves(i, pressure, distance + 2.0 * pressed);
-            Ok::<_, Infallible>((self.with_dents(i, waves, middle, distance + pressed), is_whole))
+            let (waves, is_all) = self.with_dents(i, waves, middle, distance + pressed);
+            Ok::<_, Infallible>((waves, is_whole && is_all))
         });
         all
     }
@@ -252,16 +261,20 @@ impl Weights {
     }
 
     /// Waves about a middle on interface i with what dents that are pressed flat add: to take away the slope of a gap g makes the pressure μ₀M ĝ', with ĝ' = −λĝ, and lowers the face
-    /// of contact 0 by t ĝ.
-    fn with_dents(&self, i: usize, mut waves: Waves, middle: f64, reach: f64) -> Waves {
-        let (kernel, length) = (&self.kernel, self.kernel.length());
+    /// of contact 0 by t ĝ. Whether none are left out that matter nearer to the middle.
+    fn with_dents(&self, i: usize, mut waves: Waves, middle: f64, reach: f64) -> (Waves, bool) {
+        let (kernel, length, mut is_whole) = (&self.kernel, self.kernel.length(), true);
         for (number, dent) in &self.dents {
             let (pair, own) = (self.coupling(i, *number), kernel.lowest() + i);
             let response = |zeta: f64| match pair {
                 Some(pair) => kernel.coupling(pair, zeta),
                 None => kernel.asymptote(own).limit + kernel.remainder(own, zeta),
             };
-            let last = length * dent.shortest();
+            let shortest = length * dent.shortest();
+            let last = shortest.min(MOST_PHASE * length / (reach + 2.0 * dent.half_width));
+            // an abrupt end would be seen far away
+            let fades = |zeta: f64| if last < shortest { fades(zeta, last) } else { 1.0 };
+            is_whole &= last == shortest;
             let panels = kernel.panels.iter().map(|panel| [panel.from, panel.to]).filter(|[from, _]| *from < last);
             let panels: Vec<[f64; 2]> = panels.map(|[from, to]| [from, to.min(last)]).collect();
             let beyond = panels.iter().map(|[_, to]| *to).fold(0.0, f64::max);
@@ -274,7 +287,7 @@ impl Weights {
                 for (zeta, weight) in (0..parts).flat_map(|k| rule(needed.div_ceil(parts)).on(at(k), at(k + 1))) {
                     let wave = zeta / length;
                     let of_gap = if i == 0 { 1.0 } else { -kernel.modulus() * wave };
-                    let amplitude = of_gap / PI * response(zeta) * dent.transform(wave) * weight / length;
+                    let amplitude = of_gap / PI * response(zeta) * dent.transform(wave) * fades(zeta) * weight / length;
                     let (sin, cos) = (wave * middle).sin_cos();
                     waves.wavenumbers.push(wave);
                     waves.amplitudes[0].push(amplitude * cos);
@@ -282,7 +295,7 @@ impl Weights {
                 }
             }
         }
-        waves
+        (waves, is_whole)
     }
 
     /// Where the pressure that waves add is least, in parts of a weight, and from where to where layers come apart about that if this is more tension than the weight is pressure.
