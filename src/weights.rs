@@ -132,7 +132,8 @@ impl Weights {
         };
         let (mut factor, mut power, (mut tension, mut own)) = (1.0, 1.0, opens(solution)?);
         let (mut below, mut above) = (0.0, f64::INFINITY);
-        let mut last = Cow::Borrowed(solution);
+        let reach = |solution: &Solution| solution.contacts()[self.kernel.lowest()].reach();
+        let (mut last, longest) = (Cow::Borrowed(solution), self.farthest().max(reach(solution)));
         for _ in 0..SCALINGS {
             let (missed, error) = ((tension - 1.0).abs(), self.above_error(&last));
             if tension > 0.0 && (is_linear || missed < error.max(ENOUGH)) {
@@ -147,7 +148,7 @@ impl Weights {
                     x: own.smallest_at,
                 });
             }
-            if tension <= 0.0 || tension < 1.0 && last.contacts()[self.kernel.lowest()].reach() > self.farthest() {
+            if tension <= 0.0 || tension < 1.0 && reach(&last) > longest {
                 return None;
             }
             if tension < 1.0 {
