@@ -38,8 +38,6 @@ struct Thin<'a> {
 /// Terms of a pressure that count as the first and as the last ones where layers are judged. Twice as many: layers are left out only half as thick as now.
 const COARSEST: usize = 8;
 const FINEST: usize = 512;
-/// The part of all operations after which contacts are not looked for any more where layers are to be judged. Twice as many: scenes that are not solved take longer.
-const ROUGH: f64 = 0.02;
 
 /// Solves without what only layers much thinner than a contact change in the kernels if that makes the smaller error.
 ///
@@ -50,7 +48,8 @@ pub(super) fn solve(problem: &Problem, refused: &mut Refused) -> Result<Answer, 
     let Some(expected) = Thin::new(problem, half_lengths.clone())? else {
         return solve_in_order(problem, None, refused);
     };
-    let (tolerance, operations) = (problem.tolerance.max(COARSE), ROUGH * problem.operations);
+    // contacts by which layers are judged are not looked for any longer
+    let (tolerance, operations) = (problem.tolerance.max(COARSE), 0.02 * problem.operations);
     let rough = expected.without(problem, tolerance, operations, None, &mut Refused::default());
     let near = rough.as_ref().ok().map(|rough| &rough.contacts[..]);
     for (found, contact) in near.into_iter().flatten().zip(problem.unknown()) {

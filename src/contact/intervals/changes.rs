@@ -10,15 +10,12 @@ pub(super) const TOGETHER: f64 = 0.03;
 /// The same of openings, between which a layer may rest on a short support.
 const SUPPORT: f64 = 0.003;
 
-/// Openings with shorter half-lengths, in units of L, count as none: without them the tension there is next to nothing.
-const POINT: f64 = 1e-6;
-
 impl Intervals {
     /// Which of them are openings with no gap, with what is singular at their ends or without, or that have shrunk to a point.
     pub(super) fn closing(&self, pressures: &[Pressure]) -> Vec<bool> {
         let closes = |(own, pressure): (&ContactInterval, &Pressure)| {
             let gap = || pressure.force(own).max(pressure.regular(own).force(own));
-            own.opens && (own.half < POINT || gap() <= 0.0)
+            own.opens && (own.is_point() || gap() <= 0.0)
         };
         self.0.iter().zip(pressures).map(closes).collect()
     }
@@ -34,6 +31,11 @@ impl Intervals {
 }
 
 impl ContactInterval {
+    /// Whether an opening is so short, in units of L, that without it the tension there is next to nothing.
+    fn is_point(&self) -> bool {
+        self.half < 1e-6
+    }
+
     /// Where there is a gap in an opening that has none on the whole.
     fn open_parts(&self, pressure: &Pressure) -> Vec<Self> {
         let places = pressure.places(self);
@@ -56,7 +58,7 @@ pub(super) fn changed(support: &Intervals, pressures: &[Pressure]) -> Option<Int
     let closing = support.closing(pressures);
     if closing.contains(&true) {
         let open = |((own, pressure), closes): ((&ContactInterval, &Pressure), bool)| match closes {
-            true if own.half < POINT => Vec::new(),
+            true if own.is_point() => Vec::new(),
             true => own.open_parts(pressure),
             false => vec![*own],
         };

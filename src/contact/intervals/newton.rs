@@ -16,12 +16,8 @@ use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY, SLOW};
 use crate::contact::problem::iteration::{Progress, Work};
 use crate::numeric::{largest, longest};
 
-/// Steps at most, and how often a step is halved after which an opening would close.
-const MOST_STEPS: usize = 40;
+/// How often a step is halved after which an opening would close.
 const MOST_HALVINGS: usize = 6;
-
-/// Terms of a pressure on a half-plane under a punch that is not smooth, for each unknown term.
-const LOCAL: usize = 16;
 
 /// Ends and pressures for one number of terms.
 #[derive(Clone)]
@@ -175,7 +171,7 @@ pub(super) fn converge(
                 return level.ok_or_else(stuck);
             }
         }
-        if !newton.goes_on(&support) || work.steps.last() > Some(&MOST_STEPS) {
+        if !newton.goes_on(&support) {
             return Err(Failure::Stuck(support));
         }
         let perturbed = |kept: &Kept, moved: &Intervals| {
@@ -359,7 +355,8 @@ impl<'a> Newton<'a> {
             regular: regular(equations, support, &solved),
             support: support.clone(),
             counts: self.counts.to_vec(),
-            local: locals(equations.problem, support, &solved, |number| LOCAL * self.counts[number]),
+            // what the face alone does is known with many more terms than are unknown
+            local: locals(equations.problem, support, &solved, |number| 16 * self.counts[number]),
             solved,
             coarser,
             kept: self.kept.clone(),

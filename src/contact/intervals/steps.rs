@@ -8,8 +8,6 @@ use crate::contact::problem::accuracy::{COARSE, MINOR};
 const MOST_OUT: f64 = 0.4;
 /// An end that would take a longer step, in half-lengths, from next to no singularity need not be known.
 pub(super) const SHORT: f64 = 0.1;
-/// An end with a weaker singularity, in units of the mean pressure, need not be known; nor one with a weaker one than terms of the pressure tell.
-const WEAK: f64 = 1e-7;
 
 /// What the pressure says of one end.
 pub(super) struct Look {
@@ -69,7 +67,8 @@ pub(super) fn moved(problem: &Problem, support: &Intervals, steps: &[f64]) -> Op
 /// What pressures say of all ends; those at corners are where they are unless bodies pull there, where nothing is even.
 pub(super) fn looks(support: &Intervals, pressures: &[Pressure]) -> Vec<Look> {
     let of = |(interval, pressure): (&ContactInterval, &Pressure)| -> Vec<Look> {
-        let weak = WEAK.max((MINOR * pressure.missing(interval)).min(COARSE)) * pressure.size(interval);
+        // an end with a weaker singularity need not be known, nor one with a weaker one than terms of the pressure tell
+        let weak = 1e-7f64.max((MINOR * pressure.missing(interval)).min(COARSE)) * pressure.size(interval);
         let signed = |(side, q): (&f64, &f64)| (*side, interval.sign(*side) * q);
         let of = |(side, q): (f64, f64)| match interval.is_corner(side) && (q >= 0.0 || interval.is_even()) {
             true => Look { q: 0.0, step: 0.0, weak },

@@ -12,10 +12,6 @@ use crate::contact::problem::accuracy::{COARSE, SLOW};
 use crate::contact::problem::iteration::Work;
 use crate::contact::problem::twin::Twin;
 
-/// Lists whose ends differ by less than this, in half-lengths, are the same.
-const NEAR: f64 = 1e-3;
-/// Changes of the list at most.
-const MOST_CHANGES: usize = 30;
 /// The usual number of terms is multiplied by this at most before a list is changed.
 const FINER: usize = 16;
 
@@ -53,7 +49,7 @@ fn changed(
 ) -> Result<Answer, Intervals> {
     let (mut finer, mut deepest) = (1, None);
     let mut before: Vec<(Intervals, usize)> = Vec::new();
-    for _ in 0..MOST_CHANGES {
+    for _ in 0..30 {
         support = support.held(problem);
         // no list twice, but with more terms where something opens, for which there is no other start
         let is_known = |finer: usize| before.iter().any(|(list, terms)| *terms == finer && list.is_near(&support));
@@ -172,7 +168,7 @@ impl Intervals {
         let is_like = |(one, other): (&ContactInterval, &ContactInterval)| {
             let moved = [one.from() - other.from(), one.to() - other.to()];
             (one.contact, one.punch) == (other.contact, other.punch)
-                && moved.iter().all(|by| by.abs() < NEAR * one.half)
+                && moved.iter().all(|by| by.abs() < 1e-3 * one.half)
         };
         self.0.len() == other.0.len() && self.0.iter().zip(&other.0).all(is_like)
     }

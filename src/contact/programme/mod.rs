@@ -44,9 +44,6 @@ const UNRESOLVED: usize = 2;
 const SHORTEST: f64 = 0.02;
 /// A smaller part of the force on a contact is rounding. Ten times as much: intervals of re-contact are missed.
 const LEAST_FORCE: f64 = 1e-8;
-/// Next to a longer interval, a smaller part of it is an artefact of the grid: where bodies graze each other, elements touch in turns, in many
-/// intervals shorter than [`SHORTEST`].
-const LEAST_SHORT: f64 = accuracy::COARSE;
 /// Intervals are next to each other, and one far from where contacts are expected, if the gap between them is shorter than this part of its distance from the middle.
 const NEXT: f64 = 0.3;
 
@@ -180,10 +177,11 @@ fn separate_where_unloaded(touching: &mut [bool], forces: &[f64]) {
     }
 }
 
-/// The same where bodies graze each other next to an interval that presses.
+/// The same where bodies graze each other next to an interval that presses: there elements touch in turns, in many intervals shorter than [`SHORTEST`], which are
+/// artefacts of the grid.
 fn separate_where_grazing(touching: &mut [bool], forces: &[f64], grid: &Grid) {
     let edges = grid.edges();
-    let is_light = |run: &Range<usize>| forces[run.clone()].iter().sum::<f64>() < LEAST_SHORT;
+    let is_light = |run: &Range<usize>| forces[run.clone()].iter().sum::<f64>() < accuracy::COARSE;
     let is_short = |run: &Range<usize>| edges[run.end] - edges[run.start] < SHORTEST * grid.distance(edges[run.start]);
     let runs = runs(touching);
     for group in runs.chunk_by(|a, b| edges[b.start] - edges[a.end] < NEXT * grid.distance(edges[b.start])) {
