@@ -6,7 +6,6 @@ use std::borrow::Cow;
 use std::convert::Infallible;
 use std::f64::consts::{PI, SQRT_2};
 
-use crate::contact::ContactError;
 use crate::field::ContactPressure;
 use crate::kernel::Kernel;
 use crate::numeric::longest;
@@ -113,13 +112,13 @@ impl Weights {
         (closed, tensile)
     }
 
-    /// When the first interface opens, from a solution, and unless pressures are proportional to forces from others under all forces scaled by a factor; `None` if this is not found,
+    /// When the first interface opens, from a solution, and unless pressures are proportional to forces from others under all forces scaled by a factor, nothing if a punch cannot carry them; `None` if this is not found,
     /// or not before a contact above is so long that layers pull hardly more under more force.
-    pub(crate) fn separation(
+    pub(crate) fn separation<E>(
         &self,
         solution: &Solution,
         is_linear: bool,
-        scaled: impl Fn(f64) -> Result<Solution, ContactError>,
+        scaled: impl Fn(f64) -> Result<Option<Solution>, E>,
     ) -> Option<Separation> {
         if self.is_open_at_rest() {
             return None;
@@ -159,15 +158,12 @@ impl Weights {
             // tension grows like a power of the forces, which the last two of them tell
             let expected = (factor * tension.powf(-1.0 / power)).min(FASTEST * factor);
             let next = if below < expected && expected < above { expected } else { (below * above).sqrt() };
-            match scaled(next) {
-                Ok(solution) => last = Cow::Owned(solution),
-                // a punch may not carry as much
-                Err(ContactError::NoSolution(cause)) if cause.is_input() => {
-                    above = next;
-                    continue;
-                }
-                Err(_) => return None,
-            }
+            // a punch may not carry as much
+            let Some(solution) = scaled(next).ok()? else {
+                above = next;
+                continue;
+            };
+            last = Cow::Owned(solution);
             let before = (factor, tension);
             factor = next;
             (tension, own) = opens(&last)?;

@@ -38,13 +38,16 @@ impl Model {
         Ok(contact::open(&Self::with_weights(&asked, weights, &interfaces), force, closed, tensile)?)
     }
 
-    /// The solution while all is closed under all forces of another one scaled by a factor.
-    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Result<Solution, ContactError> {
+    /// The solution while all is closed under all forces of another one scaled by a factor; nothing if a punch cannot carry them.
+    fn scaled(&self, top: &Top, solution: &Solution, factor: f64) -> Result<Option<Solution>, ContactError> {
         let forces = solution.punches().iter().map(|carried| factor * carried.force);
         let scaled = top.punches().filter(|_| !solution.punches().is_empty()).map(|all| all.given(forces).into());
         let top = scaled.unwrap_or_else(|| top.clone());
         let force = Force::Given(factor * solution.force());
-        contact::press(&self.asked(&top, &Options::default()), force)
+        match contact::press(&self.asked(&top, &Options::default()), force) {
+            Err(ContactError::NoSolution(cause)) if cause.is_input() => Ok(None),
+            found => found.map(Some),
+        }
     }
 
     /// When layers that weights press together begin to come apart, if all forces on the top are scaled together; `None` if nothing presses layers together, or if no force
