@@ -12,9 +12,6 @@ use crate::contact::problem::accuracy::{COARSE, SLOW};
 use crate::contact::problem::iteration::Work;
 use crate::contact::problem::twin::Twin;
 
-/// The usual number of terms is multiplied by this at most before a list is changed.
-const FINER: usize = 16;
-
 /// Presses punches or loads, from a list of intervals where contacts may be; `None`, with what is known of the reason, if no
 /// list was found without tension and penetration.
 pub(crate) fn solve(problem: &Problem, start: Intervals, refused: &mut Refused, work: &mut Work) -> Option<Answer> {
@@ -47,13 +44,14 @@ fn changed(
     penetrating: &mut Option<(Approximation, f64)>,
     work: &mut Work,
 ) -> Result<Answer, Intervals> {
-    let (mut finer, mut deepest) = (1, None);
+    // the usual number of terms is multiplied by 16 at most before a list is changed
+    let (mut finer, mut deepest, may_grow) = (1, None, |finer: usize| finer < 16);
     let mut before: Vec<(Intervals, usize)> = Vec::new();
     for _ in 0..30 {
         support = support.held(problem);
         // no list twice, but with more terms where something opens, for which there is no other start
         let is_known = |finer: usize| before.iter().any(|(list, terms)| *terms == finer && list.is_near(&support));
-        while support.opens() && is_known(finer) && finer < FINER {
+        while support.opens() && is_known(finer) && may_grow(finer) {
             finer *= 2;
         }
         if is_known(finer) {
@@ -70,10 +68,10 @@ fn changed(
         support.equalise(&mut counts);
         let start = support.clone();
         support = match converge(problem, support, None, &counts, COARSE, work) {
-            Ok(level) => match examined(problem, &level, finer < FINER, work) {
+            Ok(level) => match examined(problem, &level, may_grow(finer), work) {
                 Ok(answer) => return Ok(answer),
                 Err(None) => return Err(level.support),
-                Err(Some(wrong)) if finer < FINER && deepest.is_none_or(|last| wrong.is_mended_since(last)) => {
+                Err(Some(wrong)) if may_grow(finer) && deepest.is_none_or(|last| wrong.is_mended_since(last)) => {
                     (finer, deepest) = (2 * finer, Some((wrong.at, wrong.depth)));
                     level.support
                 }
@@ -88,7 +86,7 @@ fn changed(
                 }
             },
             Err(Failure::Changed(next)) => next,
-            Err(Failure::Stuck(last)) if finer < FINER && last.opens() => {
+            Err(Failure::Stuck(last)) if may_grow(finer) && last.opens() => {
                 finer *= 2;
                 start
             }

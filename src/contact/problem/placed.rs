@@ -1,8 +1,8 @@
 //! A punch anywhere on the top face, one of those whose contacts are not even.
-use crate::contact::error::{ContactError, NoSolution};
+use crate::contact::error::ContactError;
 use crate::contact::problem::Group;
 use crate::contact::problem::face::Face;
-use crate::contact::problem::profile::{NEARLY, PunchProfile, Span};
+use crate::contact::problem::profile::{PunchProfile, Span};
 use crate::contact::problem::twin::Twin;
 use crate::numeric::means::MeanWindow;
 use crate::numeric::search::begins;
@@ -130,13 +130,7 @@ impl<'a> Placed<'a> {
 
     /// The error that the punch is too small for a contact that ends at x.
     pub(crate) fn too_small(&self, x: f64) -> Option<ContactError> {
-        if self.profile.flat().is_some() {
-            return None;
-        }
-        let [left, right] = self.profile.ends();
-        let (from_tip, edge) = if x < self.at { (self.at - x, -left) } else { (x - self.at, right) };
-        let punch = self.profile.label();
-        (from_tip > NEARLY * edge).then(|| NoSolution::PunchTooSmall { punch, edge: edge * self.length }.into())
+        self.profile.too_small(x - self.at)
     }
 
     /// The place at which a step of an end from one place to another ends: next to the edge of the punch.

@@ -7,10 +7,6 @@ use crate::numeric::means::MeanWindow;
 use crate::numeric::waves::smooth_step;
 use crate::scene::{Gap, Punch, Shape};
 
-/// A contact that covers this part of the punch's half-width counts as having reached the edge, where the slope of a
-/// circle is infinite.
-pub(super) const NEARLY: f64 = 0.999;
-
 /// The places x = m + w cos θ, 0 < θ < π, on which a profile is tested, in units of L.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Span {
@@ -113,10 +109,11 @@ impl<'a> PunchProfile<'a> {
         self.shape.last_fall() / self.length
     }
 
-    /// The error to report if a contact has grown to `half_length` and that is the edge of the punch.
-    pub(crate) fn too_small(&self, half_length: f64) -> Option<ContactError> {
-        let edge = self.shape.edge().filter(|_| self.flat().is_none())?;
-        (half_length * self.length > NEARLY * edge)
+    /// The error to report if a contact has grown to an end at x from the tip, and that is next to the edge of the punch, where the slope of a circle is infinite.
+    pub(crate) fn too_small(&self, x: f64) -> Option<ContactError> {
+        let [left, right] = self.shape.ends();
+        let (from_tip, edge) = if x < 0.0 { (-x, -left) } else { (x, right) };
+        (self.flat().is_none() && from_tip * self.length > 0.999 * edge)
             .then(|| NoSolution::PunchTooSmall { punch: self.label(), edge }.into())
     }
 

@@ -297,8 +297,7 @@ fn pieces_abel(pieces: &[Piece], t: f64) -> [f64; 2] {
 /// exp(−z²) ∫ exp(s²) ds from 0 to z, Dawson's integral, by the trapezoidal rule of Rybicki (1989): right to rounding with these steps.
 fn dawson(z: f64) -> f64 {
     const STEP: f64 = 0.2;
-    const WIDTH: f64 = 6.5;
-    let [from, to] = [z - WIDTH, z + WIDTH].map(|end| (0.5 * end / STEP).floor() as i64);
+    let [from, to] = [z - 6.5, z + 6.5].map(|end| (0.5 * end / STEP).floor() as i64);
     let term = |k: i64| {
         let n = (2 * k + 1) as f64;
         (-(z - n * STEP).powi(2)).exp() / n

@@ -8,9 +8,6 @@ use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 use crate::numeric::longest;
 
-/// Pressures below this part of the largest are zero.
-const ROUNDING: f64 = 1e-10;
-
 /// The programme of one grid.
 pub(super) struct Programme<'a> {
     energy: &'a Energy,
@@ -61,10 +58,12 @@ impl<'a> Programme<'a> {
     fn wrong(&self, touching: &Elements<bool>, state: &State) -> Vec<(usize, usize)> {
         let of = |(i, touching): (usize, &Vec<bool>)| {
             let (pressures, gaps, terms) = (&state.pressures[i], &state.gaps[i], &state.terms[i]);
-            let zero = ROUNDING * longest(pressures.iter().copied());
+            // smaller parts of the largest pressure, and of the terms of a gap, are zero
+            let rounding = 1e-10;
+            let zero = rounding * longest(pressures.iter().copied());
             let is_wrong = |e: &usize| match touching[*e] {
                 true => pressures[*e] < -zero,
-                false => !self.energy.inadmissible[i][*e] && gaps[*e] < -ROUNDING * terms[*e],
+                false => !self.energy.inadmissible[i][*e] && gaps[*e] < -rounding * terms[*e],
             };
             (0..touching.len()).filter(is_wrong).map(|e| (i, e)).collect::<Vec<_>>()
         };

@@ -15,10 +15,6 @@ use crate::contact::programme::patch::Patch;
 use crate::contact::programme::waves::{Octave, Waves, add_products};
 use crate::numeric::quadrature::rule;
 
-/// Entries of the matrices of all contacts at most: there are two such sets, and the elimination makes as many again, so
-/// that they stay below 500 MB together. 32 contacts may have 700 elements each; grids that are refined have some 500.
-const MOST_ENTRIES: usize = 16_000_000;
-
 /// The quadratic form of the programme.
 pub(super) struct Energy {
     /// U of each contact.
@@ -41,7 +37,8 @@ impl Energy {
     /// `None` if the matrices of all contacts would have too many entries.
     pub(super) fn new(kernel: &Compliances, grid: &Grid) -> Option<Self> {
         let (contacts, elements) = (kernel.contacts(), grid.elements());
-        if contacts.saturating_mul(elements).saturating_mul(elements) > MOST_ENTRIES {
+        // there are two such sets of matrices, and the elimination makes as many again: they stay below 500 MB together
+        if contacts.saturating_mul(elements).saturating_mul(elements) > 16_000_000 {
             return None;
         }
         let mut energy = Self {

@@ -7,8 +7,6 @@ use crate::contact::programme::patch::Patch;
 const GROWTH: f64 = 1.15;
 /// The first ends at this part of the shortest contact.
 const FIRST: f64 = 0.05;
-/// Elements at most: a factor of ten between the shortest and the longest length takes some 17 of them.
-const MOST: usize = 2000;
 
 /// The edges of all elements, from left to right, or from x = 0 on where all is even; in units of L.
 #[derive(Clone, Debug)]
@@ -29,7 +27,7 @@ impl Grid {
         }
         let mut grid = Self { edges: vec![from], about, patch };
         while grid.last() < to {
-            if grid.edges.len() > MOST {
+            if grid.is_full() {
                 return None;
             }
             let width = grid.growing(grid.last());
@@ -44,6 +42,11 @@ impl Grid {
     fn growing(&self, x: f64) -> f64 {
         let of = |[place, half]: &[f64; 2]| (FIRST * half).max((GROWTH - 1.0) * (x - place).abs());
         self.about.iter().map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether there are as many elements as there may be: a factor of ten between the shortest and the longest length takes some 17 of them.
+    fn is_full(&self) -> bool {
+        self.edges.len() > 2000
     }
 
     fn last(&self) -> f64 {
@@ -100,10 +103,10 @@ impl Grid {
     /// The same, and some more.
     pub(super) fn longer(mut self, factor: f64) -> Self {
         let [from, to] = [self.edges[0], self.last()].map(|end| factor * end);
-        while self.last() < to && self.edges.len() <= MOST {
+        while self.last() < to && !self.is_full() {
             self.edges.push(self.last() + self.growing(self.last()));
         }
-        while self.edges[0] > from && self.edges.len() <= MOST {
+        while self.edges[0] > from && !self.is_full() {
             self.edges.insert(0, self.edges[0] - self.growing(self.edges[0]));
         }
         self

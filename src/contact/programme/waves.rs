@@ -9,12 +9,9 @@ use crate::contact::programme::grid::Grid;
 use crate::contact::programme::patch::Patch;
 use crate::numeric::quadrature::rule;
 
-/// Nodes per octave of wavenumbers for each element that the distance from the middle is long at most, and for some more. Twice as many
-/// change nothing.
-const PER_FINENESS: f64 = 3.0;
-const LEAST_FINENESS: f64 = 8.0;
-/// Elements in that distance count up to this number.
-const MOST_FINENESS: f64 = 80.0;
+/// Nodes per octave of wavenumbers, and three more for each element that the distance from the middle is long at most, up to this number.
+const LEAST: f64 = 24.0;
+const MOST: f64 = 240.0;
 
 /// Phases up to this many times the number of nodes are told from each other.
 const TOLD: f64 = 2.0;
@@ -36,14 +33,15 @@ impl Waves {
         let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
         let reach = |pair: &[f64]| grid.distance(pair[1]).max(grid.distance(pair[0]));
         let fineness = grid.edges().windows(2).map(|pair| reach(pair) / (pair[1] - pair[0])).fold(0.0, f64::max);
-        let (is_even, fineness) = (grid.patch() != Patch::Strip, LEAST_FINENESS + fineness.min(MOST_FINENESS));
+        let is_even = grid.patch() != Patch::Strip;
+        let [least, most] = if is_even { [LEAST + (3.0 * fineness).min(MOST); 2] } else { [LEAST, LEAST + MOST] };
         let longest = grid.edges()[0].abs().max(grid.edges()[widths.len()]);
         Self {
             // waves twenty times as long as the grid, and twelfths of the shortest element
             first: 0.05 / longest,
             last: 12.0 / shortest,
-            least: PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS },
-            most: (PER_FINENESS * if is_even { fineness } else { LEAST_FINENESS + MOST_FINENESS }) as usize,
+            least,
+            most: most as usize,
             span: grid.edges()[widths.len()] + longest,
         }
     }
