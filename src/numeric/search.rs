@@ -1,5 +1,6 @@
 //! Searches along x: where a condition begins to hold, and where a function is least that is known at places.
 use super::chebyshev::{Series, points};
+use super::longest;
 
 /// Halvings down to rounding.
 const HALVINGS: usize = 60;
@@ -154,6 +155,11 @@ impl Samples {
             self.add([(lowest.place, lowest.value)].into_iter());
         }
         lowest
+    }
+
+    /// The largest absolute value.
+    pub(crate) fn largest(&self) -> f64 {
+        longest(self.values.iter().copied())
     }
 
     /// From where to where values about a low one are below a level: next to the low they are like a parabola, and like a line between other places.

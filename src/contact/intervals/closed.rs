@@ -72,7 +72,8 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
     };
     let all: Vec<Outside> = opened.into_iter().filter_map(of).collect();
     // where layers pull most they come apart first: others need not then
-    let mut pulling: Vec<&Outside> = all.iter().filter(|own| own.tension() > COARSE.max(error)).collect();
+    let pulls = |own: &&Outside| own.tension() > COARSE.max(error * own.samples.largest());
+    let mut pulling: Vec<&Outside> = all.iter().filter(pulls).collect();
     pulling.sort_by(|a, b| b.tension().total_cmp(&a.tension()));
     if !pulling.is_empty() {
         // fewer terms tell how well it is known
@@ -82,7 +83,8 @@ fn smallest(problem: &Problem, level: &Approximation, error: f64) -> Result<Vec<
             let before = deviations(&before, own.contact, own.pressed, &[own.low.place])[0];
             own.tension() > SAFETY * (own.low.value - before).abs()
         };
-        pulling.iter().find(is_known).map_or(Ok(()), |own| Err(own.fault()))?;
+        // more terms are to tell of what is not known
+        Err(pulling.iter().find(is_known).map_or(Fault::Tension, |own| own.fault()))?;
     }
     Ok(all.iter().map(|own| own.low).collect())
 }

@@ -105,8 +105,8 @@ fn pressures(problem: &Problem, level: &Approximation) -> Result<Signs, Fault> {
     let mut smallest = vec![0.0f64; count];
     // about the middle, where pressures are said to be right to a part of what they are there
     let (mut tensions, mut ends) = (vec![0.0f64; count], Vec::new());
-    for (interval, pressure) in level.support.0.iter().zip(&level.solved.pressures) {
-        let inside = pressure.regular(interval).inside(interval, pressure.places(interval));
+    for (number, (interval, pressure)) in level.support.0.iter().zip(&level.solved.pressures).enumerate() {
+        let inside = level.inside(problem, number, pressure);
         let extremes = |(least, most): (f64, f64), p: &f64| (least.min(*p), most.max(*p));
         let (least, most) = inside.iter().fold((0.0, 0.0), extremes);
         let contact = interval.contact;

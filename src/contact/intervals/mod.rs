@@ -287,15 +287,30 @@ impl Lengths {
 impl Approximation {
     /// The pressures in the middle of all intervals, per unit of P', without what sharp tips make, which is known.
     fn middle_pressures(&self, pressures: &[Pressure]) -> Vec<f64> {
-        let of = |((number, interval), pressure): ((usize, &ContactInterval), &Pressure)| {
-            let local = &self.local[number];
-            let own = if local.terms.is_empty() { self.smooth(number, pressure) } else { pressure.clone() };
-            let mut rest = Pressure { tip: Tip::default(), ..own };
-            // of the pressure on a half-plane the sum of all terms is known
-            rest.terms.iter_mut().zip(&local.terms).for_each(|(y, local)| *y -= local);
-            rest.middle(interval) + local.middle
-        };
-        self.support.0.iter().enumerate().zip(pressures).map(of).collect()
+        pressures.iter().enumerate().map(|(number, pressure)| self.middle_pressure(number, pressure)).collect()
+    }
+
+    /// The same of one interval.
+    fn middle_pressure(&self, number: usize, pressure: &Pressure) -> f64 {
+        let local = &self.local[number];
+        let own = if local.terms.is_empty() { self.smooth(number, pressure) } else { pressure.clone() };
+        let mut rest = Pressure { tip: Tip::default(), ..own };
+        // of the pressure on a half-plane the sum of all terms is known
+        rest.terms.iter_mut().zip(&local.terms).for_each(|(y, local)| *y -= local);
+        rest.middle(&self.support.0[number]) + local.middle
+    }
+
+    /// The pressure of an interval in places from its right end inwards, to the middle of what is even, without what is singular at its ends. Next to a round edge that is much
+    /// shorter than the interval terms do not tell the pressure in the middle, but what half-planes do there is known.
+    fn inside(&self, problem: &Problem, number: usize, pressure: &Pressure) -> Vec<f64> {
+        let interval = &self.support.0[number];
+        let places = self.solved.pressures[number].places(interval);
+        let mut inside = pressure.regular(interval).inside(interval, places);
+        let is_told = interval.is_even() && !problem.sides[interval.contact].is_sharp();
+        if let Some(middle) = inside.last_mut().filter(|_| is_told && !self.local[number].terms.is_empty()) {
+            *middle = self.middle_pressure(number, pressure);
+        }
+        inside
     }
 
     /// How large the last third of the terms of each interval is, less what is known of them, and what averaging changes, as a part of the largest pressure of the contact.

@@ -30,7 +30,7 @@ pub(super) fn tension(problem: &Problem, level: &Approximation) -> Tension {
     let all = level.support.0.iter().zip(&level.solved.pressures).zip(&level.coarser[0].pressures).enumerate();
     for (number, ((interval, pressure), coarser)) in all {
         let places = pressure.places(interval);
-        let inside = |own: &Pressure| own.regular(interval).inside(interval, places);
+        let inside = |own: &Pressure| level.inside(problem, number, own);
         let (own, coarser) = (Inside { interval, places, pressures: inside(pressure) }, inside(coarser));
         let mean = level.mean_pressure(interval.contact);
         let tensile: Vec<usize> = (0..coarser.len()).filter(|k| own.pressures[*k] < -COARSE * mean).collect();
@@ -104,7 +104,13 @@ impl Inside<'_> {
             let ends = [interval.from(), self.place(last)];
             interval.between(ends).with_corners([left && !interval.is_even(), false])
         });
-        let outer = interval.between([self.place(first), interval.to()]).with_corners([false, right]);
+        // the last place is the middle of what is even
+        let from = if interval.is_even() && first + 1 == self.pressures.len() {
+            0.5 * self.place(first.saturating_sub(1))
+        } else {
+            self.place(first)
+        };
+        let outer = interval.between([from, interval.to()]).with_corners([false, right]);
         let parts: Vec<ContactInterval> = inner.into_iter().chain([outer]).filter(|part| part.half > 0.0).collect();
         (!parts.is_empty()).then_some(parts)
     }
