@@ -94,11 +94,13 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
                 gap(x, &apart, body.intervals(), [begin, end])
             }))
         };
-        // to the nearest of several punches
+        // each of several punches is looked at half of the way to the next one
+        let half = |pair: &[Contact]| 0.5 * (pair[0].ends()[1] + pair[1].ends()[0]);
+        let halves: Vec<f64> = each.windows(2).map(half).collect();
+        let own = |x: &f64| halves.partition_point(|half| half <= x);
         let gaps = each.iter().enumerate().filter(|_| known).map(of).collect::<Result<Option<Vec<_>>, FieldError>>()?;
-        let nearest = |one: Vec<f64>, other: Vec<f64>| one.iter().zip(&other).map(|(a, b)| a.min(*b)).collect();
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
-        let gap = gaps.and_then(|gaps| gaps.into_iter().reduce(nearest));
+        let gap = gaps.map(|gaps| x.iter().enumerate().map(|(k, x)| gaps[own(x)][k]).collect());
         contacts.push(ContactProfile { interface: contact.interface, pressure, gap });
         touching += 2 * each.len();
     }

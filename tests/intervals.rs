@@ -137,3 +137,27 @@ fn a_load_presses_in_intervals_too() {
         solution.contacts()[0].intervals().iter().map(|i| [i.left, i.right, i.force, i.centroid]).collect();
     assert_eq!(found, [[-2.5, -1.5, 1.5, -2.0], [0.0, 0.0, 1.0, 0.0], [1.5, 2.5, 1.5, 2.0]]);
 }
+
+/// Next to a round edge that is four thousand times shorter than the contact the pressure falls like a logarithm, below zero in the end: bodies are apart there. How far
+/// they touch grows by what is proportional to the flat part.
+#[test]
+fn bodies_are_apart_under_a_flat_part_that_is_next_to_nothing() {
+    let solve = |punch: &str| {
+        let scene = Scene::from_ron(&format!(
+            "Scene(geometry: PlaneStress, punch: {punch}, force: 0.5, stack: [\
+             Exponential(thickness: 31.6, shear_modulus: 100.0, poisson: 0.08, beta: -0.178), \
+             PowerHalfPlane(shear_modulus: 0.01, poisson: 0.0, length: 31.6, exponent: -0.5)])"
+        ))
+        .unwrap();
+        scene.solve().unwrap().contacts()[0].intervals().to_vec()
+    };
+    let [parabola] = solve("Parabola(radius: 5150)")[..] else { panic!("a parabola touches everywhere") };
+    let longer = [1.0, 0.1].map(|flat| {
+        let [left, right] = solve(&format!("RoundedFlat(half_width: {flat}, radius: 5150)"))[..] else {
+            panic!("bodies touch under the flat part of {flat}")
+        };
+        assert!(right.left > 10.0 * flat && (right.left + left.right).abs() < 1e-12 * right.right);
+        right.right - parabola.right
+    });
+    assert!((longer[0] / longer[1] - 10.0).abs() < 0.3, "{longer:?}");
+}

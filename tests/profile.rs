@@ -150,3 +150,22 @@ fn the_command_writes_columns_that_need_no_quotes() {
     let refused = recede(&["profile", "examples/scenes/hertz.ron", "--to", "-1"], b"");
     assert!(refused.status == Some(2) && refused.stderr.contains("allowed is a length > 0"), "{}", refused.stderr);
 }
+
+/// A wedge that rises hardly more than the face below it sinks, and a punch beside it: the gap to each of them is looked at half of the way to the other one.
+#[test]
+fn gaps_are_the_ones_of_the_punch_that_is_there() {
+    let scene = scene(
+        "Scene(geometry: PlaneStrain, punches: [(shape: Wedge(slope: 0.00125), at: 0.0, force: 19.0, tilt: Free(eccentricity: 100.0)), \
+         (shape: RoundedFlat(half_width: 142.0, radius: 209000.0), at: 1600.0, force: 19.0, tilt: Free(eccentricity: 2.5))], \
+         stack: [Homogeneous(thickness: 31.6, shear_modulus: 100.0, poisson: 0.0), Spring(normal: 0.0086, tangential: 0.7), \
+         HalfPlane(shear_modulus: 100.0, poisson: -0.5)])",
+    );
+    let (solution, profile) = profile(&scene, &|solution| profile_places(solution, None, 200));
+    let gaps = || profile.x.iter().zip(profile.contacts[0].gap.as_ref().unwrap());
+    let largest = gaps().fold(0.0, |most: f64, (_, gap)| most.max(*gap));
+    let right = solution.contacts()[0].intervals().last().unwrap().right;
+    assert!(gaps().any(|(x, gap)| *x > 1.2 * right && *gap > 0.0));
+    for (x, gap) in gaps() {
+        assert!(*gap >= -1e-9 * largest, "{gap} at {x}, the largest {largest}");
+    }
+}
