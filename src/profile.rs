@@ -98,7 +98,8 @@ pub(crate) fn profile(top: &Top, stack: &Stack, solution: &Solution, x: &[f64]) 
         let half = |pair: &[Contact]| 0.5 * (pair[0].ends()[1] + pair[1].ends()[0]);
         let halves: Vec<f64> = each.windows(2).map(half).collect();
         let own = |x: &f64| halves.partition_point(|half| half <= x);
-        let gaps = each.iter().enumerate().filter(|_| known).map(of).collect::<Result<Option<Vec<_>>, FieldError>>()?;
+        let all = || each.iter().enumerate().map(of).collect::<Result<Option<Vec<_>>, FieldError>>();
+        let gaps = if known { all()? } else { None };
         let pressure = x.iter().map(|x| contact.pressure(*x)).collect();
         let gap = gaps.map(|gaps| x.iter().enumerate().map(|(k, x)| gaps[own(x)][k]).collect());
         contacts.push(ContactProfile { interface: contact.interface, pressure, gap });
