@@ -127,15 +127,13 @@ impl ContactError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum NoSolution {
     /// Layers that weights press together come apart about an axis, which is not solved for.
-    #[error(
-        "the layers at the contact {interface} come apart at {x:.6}: all is closed up to the force {critical_force:.9e} only"
-    )]
+    #[error("the layers at the contact {interface} come apart at {x:.6}{}", closed_up_to(*.critical_force))]
     LiftsOff {
         /// The interface.
         interface: Interface,
         /// Where it opens.
         x: f64,
-        /// The force up to which nothing opens.
+        /// The force up to which nothing opens; NaN if it was not found.
         critical_force: f64,
     },
     /// The contact would reach past the edge of the punch.
@@ -189,6 +187,11 @@ pub enum NoSolution {
     /// The ends of the contacts did not converge: what was tried last tells nothing of them.
     #[error("the ends of the contacts did not converge")]
     NotConverged,
+}
+
+/// Up to which force nothing opens, if that is known.
+fn closed_up_to(force: f64) -> String {
+    if force.is_nan() { String::new() } else { format!(": all is closed up to the force {force:.9e} only") }
 }
 
 /// Which values are reached.
