@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 
 use crate::contact::answer::Answer;
 use crate::contact::error::ContactError;
-use crate::contact::intervals::{self, COARSEST, FINEST, Refused, Sinking};
+use crate::contact::intervals::{self, Refused, Sinking};
 use crate::contact::problem::{Problem, Side};
 use crate::contact::starts::formulas;
 use crate::contact::starts::order::solve_in_order;
@@ -34,6 +34,10 @@ struct Thin<'a> {
     /// Contacts of the stack that are one with the contact above them, from the bottom up, and the relative error of that.
     joined: Vec<(usize, f64)>,
 }
+
+/// Terms of a pressure that count as the first and as the last ones where layers are judged. Twice as many: layers are left out only half as thick as now.
+const COARSEST: usize = 8;
+const FINEST: usize = 512;
 
 /// Solves without what only layers much thinner than a contact change in the kernels if that makes the smaller error.
 ///

@@ -52,8 +52,8 @@ use support::{ContactInterval, Parity};
 pub(super) use topology::{Refused, solve};
 
 /// Terms on each interval: the first number of them, and the last.
-pub(super) const COARSEST: usize = 12;
-pub(super) const FINEST: usize = 768;
+const COARSEST: usize = 12;
+const FINEST: usize = 768;
 /// From level to level the number of terms grows by a factor between these.
 const LEAST_GROWTH: f64 = 1.5;
 const MOST_GROWTH: f64 = 2.25;
