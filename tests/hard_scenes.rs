@@ -164,3 +164,17 @@ fn a_thin_layer_opens_about_the_middle_between_two_contacts() {
     assert!(left.right < 0.0 && right.left > 0.0 && middle.right < last.left);
     assert!(middle.largest_gap > 0.0 && middle.largest_gap_at == 0.0);
 }
+
+/// A layer six hundred times thinner than the ones below opens beside a load, and nowhere else: its pressure, as found by the quadratic programme, has no waves as long as the layer is thick.
+#[test]
+fn a_very_thin_layer_opens_once_beside_a_load() {
+    let path = format!("{}/tests/data/hard/seed_44001_number_345.ron", env!("CARGO_MANIFEST_DIR"));
+    let solution = recede::solve(&Scene::read(Path::new(&path)).unwrap()).unwrap();
+    assert!(solution.warnings().is_empty(), "{:?}", solution.warnings());
+    let [thin, thick] = solution.closed() else { panic!("{:?}", solution.closed()) };
+    let [left, right] = &thin.openings[..] else { panic!("{thin:?}") };
+    assert_eq!([left.left, left.right], [-right.right, -right.left]);
+    // the programme knows these ends to 2e-3 and 3e-3
+    assert!((right.left - 1.591).abs() < 2e-3 && (right.right - 1.828).abs() < 3e-3, "{right:?}");
+    assert!(right.right_error < 1e-9 && thick.openings.is_empty(), "{right:?}");
+}

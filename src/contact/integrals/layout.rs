@@ -131,7 +131,12 @@ impl Layout {
             let shortest = shortest[above].min(shortest[below]);
             kernel.uncoupled(pair, shortest, negligible).min(cut(ends[above].max(ends[below])))
         };
-        let reach = |i: usize| kernel.vanishes(i, shortest[i], negligible).min(cut(ends[i]));
+        let vanishes = |i: usize| kernel.vanishes(i, shortest[i], negligible);
+        let reach = |i: usize| vanishes(i).min(cut(ends[i]));
+        // shorter waves that are left out for fields far away alone
+        let is_short = |i: &usize| cut(ends[*i]) < vanishes(*i).min(turned[*i]) && 0.5 * span > ends[*i];
+        let left_out = (0..n).filter(is_short).map(|i| cut(ends[i]));
+        layout.left_out_from = left_out.fold(f64::INFINITY, f64::min);
         layout.own.iter_mut().zip(exponentials).for_each(|(own, taken)| own.exponentials.0.clone_from(taken));
         layout.tails_from = (0..n).map(|i| if turned[i] < reach(i) { turned[i] } else { f64::INFINITY }).collect();
         let plan = Plan {
