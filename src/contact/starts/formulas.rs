@@ -1,11 +1,10 @@
 //! Where Newton's method starts: half-lengths from formulas of contact mechanics, right to some ten per cent.
-use crate::contact::problem::Expected;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::load::Given;
 use crate::contact::problem::placed::Placed;
 use crate::contact::problem::profile::PunchProfile;
 use crate::contact::problem::twin::Twin;
-use crate::contact::problem::{Problem, Side};
+use crate::contact::problem::{Expected, Prescribed, Problem, Side};
 use crate::kernel::Kernel;
 use crate::numeric::longest;
 use crate::scene::{Gap, Punch, Top};
@@ -140,10 +139,20 @@ fn in_gap(problem: &Problem, contact: usize) -> f64 {
 pub(crate) fn anywhere(problem: &Problem) -> Vec<Expected> {
     let mut above: Vec<[f64; 2]> = problem.sides[0].given().map(Given::places).unwrap_or_default();
     let mut all = Vec::new();
-    for contact in problem.unknown() {
+    for contact in problem.unknown().filter(|contact| !problem.is_opened(*contact)) {
         let mut own: Vec<[f64; 2]> = Vec::new();
         if let (Side::Punches(punches), 0) = (&problem.sides[contact], contact) {
-            own = punches.iter().map(|punch| under(problem.kernel, punch)).collect();
+            let of = |(number, punch): (usize, &Placed)| {
+                let held = problem.prescribed.iter().find_map(|(own, prescribed)| match prescribed {
+                    Prescribed::End { side, at } if *own == number => Some(side * (at - punch.lowest())),
+                    _ => None,
+                });
+                match held.filter(|half| *half > 0.0) {
+                    Some(half) => inside(punch, [punch.lowest() - half, punch.lowest() + half]),
+                    None => under(problem.kernel, punch),
+                }
+            };
+            own = punches.iter().enumerate().map(of).collect();
             all.extend(own.iter().enumerate().map(|(punch, ends)| Expected { contact, punch, ends: *ends }));
         } else if let Some(half) = half_length(problem, contact) {
             own = vec![[-half, half]];
@@ -173,10 +182,15 @@ fn under(kernel: &Kernel, punch: &Placed) -> [f64; 2] {
         return [ends[0].max(ends[1] + from_right), ends[1].min(ends[0] + from_left)];
     }
     let half = under_punch(kernel, &punch.alone(), Kernel::closed);
-    // next to the edges of a punch
-    let inside =
+    inside(punch, [middle - half, middle + half])
+}
+
+/// The nearest places on a punch, next to its edges.
+fn inside(punch: &Placed, [left, right]: [f64; 2]) -> [f64; 2] {
+    let of =
         |x: f64, end: f64| if (x - punch.at()).abs() < (end - punch.at()).abs() { x } else { 0.5 * (end + punch.at()) };
-    [inside(middle - half, ends[0]), inside(middle + half, ends[1])]
+    let ends = punch.ends();
+    [of(left, ends[0]), of(right, ends[1])]
 }
 
 /// Half-length of the contact below a laminate (in units of L) that a line load presses.
