@@ -144,7 +144,7 @@ impl Model {
         let solution = match self.curves.as_ref().filter(|_| !is_known) {
             Some(curves) => curves.press(top, options.tolerance, force, press),
             None => press(options.tolerance, force),
-        }?;
+        };
         self.with_closed((top, force), options, solution)
     }
 
@@ -200,6 +200,7 @@ impl Model {
             by_dents: &[],
             hollow: self.closed.as_ref().and_then(|(_, weights)| weights.hollow.as_ref()),
             tolerance: options.tolerance,
+            laminates: None,
         }
     }
 

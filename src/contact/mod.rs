@@ -18,7 +18,7 @@ use std::borrow::Cow;
 use crate::kernel::Kernel;
 use crate::numeric::waves::Waves;
 use crate::scene::{Force, Gap, Top};
-use crate::solution::{Contact, Controlled, Interface, Ledger, OwnerKey, Solution};
+use crate::solution::{Controlled, Interface, Ledger, OwnerKey, Solution};
 
 pub use error::{ContactError, NoSolution};
 pub(crate) use interpolation::Curves;
@@ -28,9 +28,9 @@ use intervals::Refused;
 pub(crate) use intervals::Sinking;
 use prescribed::Drive;
 use problem::iteration::Work;
-use problem::{Prescribed, Problem};
+use problem::{Expected, Prescribed, Problem};
 use starts::formulas;
-use starts::order::{of_low_accuracy, solve_in_order};
+use starts::order::{of_low_accuracy, of_programme, solve_in_order};
 
 /// Of the work for one answer, what goes into openings at most: with twice as much, scenes that are not solved take twice the time.
 const OPENINGS: f64 = 0.25;
@@ -49,6 +49,8 @@ pub(crate) struct Asked<'a> {
     /// What dents that are pressed flat do to these, and how far they lower the face above.
     pub(crate) by_dents: &'a [Waves],
     pub(crate) hollow: Option<&'a Waves>,
+    /// What makes the kernel of all layers that may come apart, where weights press some of them together.
+    pub(crate) laminates: Option<&'a dyn Fn() -> Option<Kernel>>,
     /// Relative error wanted.
     pub(crate) tolerance: f64,
 }
@@ -77,29 +79,41 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
     answer.or_else(|error| of_low_accuracy(problem, &refused, error))
 }
 
-/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, and from where the layers would pull then.
+/// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, if there is one, and from where the layers would pull then, or
+/// else from where the quadratic programme sees contacts and openings.
 pub(crate) fn open(
     asked: &Asked,
     force: Force,
-    closed: &Solution,
+    closed: Option<&Solution>,
     openings: &[(usize, [f64; 2])],
 ) -> Result<Solution, ContactError> {
-    let (top, own) = (asked.top_of(closed), asked.kernel_with_punch());
+    let own = asked.kernel_with_punch();
     let drive = Drive::new(asked.top, &own, force)?;
+    let top = closed.map_or_else(|| drive.top.clone().into_owned(), |closed| asked.top_of(closed));
     let asked = &Asked { top: &top, ..*asked };
-    let problem = drive.of(asked.problem(&own, closed.force()));
-    let to_unit = |contact: &Contact| contact.clone().scaled(own.length().recip(), 1.0).moved(-problem.origin);
-    let contacts: Vec<Contact> =
-        problem.unknown().filter_map(|contact| closed.contacts.get(contact)).map(to_unit).collect();
-    let of_unit =
-        |(number, ends): &(usize, [f64; 2])| (own.lowest() + number, ends.map(|x| x / own.length() - problem.origin));
-    let openings: Vec<(usize, [f64; 2])> = openings.iter().map(of_unit).collect();
-    let start = intervals::of_openings(&problem, &contacts, &openings);
+    let force = closed.map_or(drive.force, Solution::force);
+    let problem = drive.of(asked.problem(&own, force));
+    let expected = match closed {
+        Some(closed) => intervals::of_solution(&problem, closed),
+        None => formulas::anywhere(&problem),
+    };
+    let opening = |(number, ends): &(usize, [f64; 2])| Expected {
+        contact: own.lowest() + number,
+        punch: 0,
+        ends: ends.map(|x| x / own.length() - problem.origin),
+    };
+    let expected: Vec<Expected> = expected.into_iter().chain(openings.iter().map(opening)).collect();
     let (mut refused, mut work) = (Refused::default(), Work::at_most(OPENINGS * problem.operations));
+    let start = closed.and_then(|_| intervals::of_formulas(&problem, &expected));
     let answer = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
-    let answer =
-        answer.ok_or_else(|| drive.unmet(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into())))?;
-    Ok(answer.into_solution(&problem, closed.force(), Some(asked.stack)))
+    let answer = answer.or_else(|| {
+        let laminates = asked.laminates?()?;
+        let asked = Asked { kernel: &laminates, ..*asked };
+        let laminates = asked.kernel_with_punch().measured_in(own.length());
+        of_programme(&problem, &laminates, &expected, &mut refused)
+    });
+    let unsolved = || drive.unmet(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
+    Ok(answer.ok_or_else(unsolved)?.into_solution(&problem, force, Some(asked.stack)))
 }
 
 /// The contact equations of a solution in words, see [`intervals::ledger`].

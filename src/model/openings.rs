@@ -2,39 +2,47 @@
 use super::Model;
 use crate::contact::{self, Asked, ContactError, NoSolution};
 use crate::errors::Error;
+use crate::kernel::Kernel;
 use crate::options::Options;
 use crate::scene::{Force, Top};
 use crate::solution::{ClosedInterface, Interface, Separation, Solution};
 use crate::weights::Weights;
 
 impl Model {
-    /// A solution with the interfaces that weights keep closed.
+    /// A solution with the interfaces that weights keep closed, from the one while all is closed.
     pub(super) fn with_closed(
         &self,
         (top, force): (&Top, Force),
         options: &Options,
-        solution: Solution,
+        solution: Result<Solution, ContactError>,
     ) -> Result<Solution, Error> {
-        let Some((_, weights)) = &self.closed else { return Ok(solution) };
+        let Some((_, weights)) = &self.closed else { return Ok(solution?) };
+        let solution = match solution {
+            Err(ContactError::NoSolution(cause)) if !cause.is_input() && !self.stack.geometry().is_axisymmetric() => {
+                return self.opened((top, force, weights), options.tolerance, None, &[]);
+            }
+            found => found?,
+        };
         let (closed, tensile) = weights.under(&solution);
         let Some((number, _)) = tensile else { return Ok(Solution { closed, ..solution }) };
         if !self.stack.geometry().is_axisymmetric() {
-            return self.opened((top, force, weights), options.tolerance, &solution, tensile.as_slice());
+            return self.opened((top, force, weights), options.tolerance, Some(&solution), tensile.as_slice());
         }
         let ClosedInterface { interface, smallest_at: x, .. } = closed[number - 1];
         let critical_force = self.separation_of(top, &solution).map_or(f64::NAN, |own| own.critical_force);
         Err(NoSolution::LiftsOff { interface, x, critical_force }.into())
     }
 
-    /// The solution with openings, from the solution while all is closed, and from where layers would pull.
+    /// The solution with openings, from the solution while all is closed, if there is one, and from where layers would pull.
     fn opened(
         &self,
         (top, force, weights): (&Top, Force, &Weights),
         tolerance: f64,
-        closed: &Solution,
+        closed: Option<&Solution>,
         tensile: &[(usize, [f64; 2])],
     ) -> Result<Solution, Error> {
-        let (interfaces, asked) = (self.stack.contacts(), Asked { tolerance, ..self.asked(top, &Options::default()) });
+        let (interfaces, laminates) = (self.stack.contacts(), || Kernel::new(&self.stack).ok());
+        let asked = Asked { tolerance, laminates: Some(&laminates), ..self.asked(top, &Options::default()) };
         Ok(contact::open(&Self::with_weights(&asked, weights, &interfaces), force, closed, tensile)?)
     }
 

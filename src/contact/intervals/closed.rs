@@ -5,35 +5,18 @@ use crate::contact::integrals::layout::{FIELDS, Layout, Lengths, negligible};
 use crate::contact::intervals::errors::Errors;
 use crate::contact::intervals::gaps::{self, Fault, Gaps, Signs};
 use crate::contact::intervals::newton::Approximation;
-use crate::contact::intervals::of_contacts;
 use crate::contact::intervals::pressure::Pressure;
-use crate::contact::intervals::support::{ContactInterval, Intervals};
+use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::{COARSE, SAFETY};
 use crate::contact::problem::closed::ClosedPressure;
 use crate::contact::problem::{Problem, Side};
 use crate::numeric::largest;
 use crate::numeric::search::{ByDistance, Low, Samples, begins, places};
-use crate::solution::{ClosedInterface, Contact, Opening, Strip};
+use crate::solution::{ClosedInterface, Opening, Strip};
 
 /// Places for each half-length of an opening and for each wave of the shortest ones that feel more than the face.
 const PLACES: usize = 16;
 const WAVES: f64 = 4.0;
-
-/// The contacts of a solution while all is closed, in units of L, with openings at some places.
-pub(crate) fn of_openings(
-    problem: &Problem,
-    contacts: &[Contact],
-    openings: &[(usize, [f64; 2])],
-) -> Option<Intervals> {
-    let mut all = match problem.unknown().all(|contact| problem.is_opened(contact)) {
-        true => Vec::new(),
-        false => of_contacts(problem, contacts)?.0,
-    };
-    // what is even is solved for on x ≥ 0
-    let right = openings.iter().filter(|(_, ends)| !problem.is_even() || ends[1] > 0.0);
-    all.extend(right.map(|(contact, ends)| ContactInterval::opening(problem, *contact, *ends)));
-    Some(Intervals(all))
-}
 
 /// Checks the signs of a solution: of gaps and pressures in contacts, see [`gaps::check`], and of pressures outside openings.
 pub(super) fn check(problem: &Problem, level: &Approximation, error: f64, leaves_out: bool) -> Result<Signs, Fault> {

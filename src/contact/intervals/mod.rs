@@ -38,8 +38,7 @@ use crate::contact::problem::iteration::Work;
 use crate::contact::problem::profile::continued;
 use crate::contact::problem::{Expected, Problem};
 use crate::numeric::largest;
-use crate::solution::{self, Contact, Stats, Strip, Warning, WarningCode};
-pub(super) use closed::of_openings;
+use crate::solution::{self, Contact, Opening, Solution, Stats, Strip, Warning, WarningCode};
 use errors::Errors;
 use gaps::Fault;
 pub(super) use ledger::ledger;
@@ -65,6 +64,11 @@ const LAYOUT_SERVES: f64 = 0.1;
 /// The list where contacts are expected; none where one is expected nowhere.
 pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<Intervals> {
     let of = |Expected { contact, punch, ends }: &Expected| {
+        if problem.is_opened(*contact) {
+            // what is even is solved for on x ≥ 0
+            let is_there = !problem.is_even() || ends[1] > 0.0;
+            return is_there.then(|| ContactInterval::opening(problem, *contact, *ends));
+        }
         if problem.is_even() {
             let half = [ends[0].max(0.0), ends[1]];
             let corners = [half[0] == 0.0, true].map(|may| may && problem.sides[*contact].is_flat());
@@ -85,6 +89,28 @@ pub(super) fn of_formulas(problem: &Problem, expected: &[Expected]) -> Option<In
 
 /// The list on which contacts were found, in units of L; none where a contact has none.
 pub(super) fn of_contacts(problem: &Problem, contacts: &[Contact]) -> Option<Intervals> {
+    of_formulas(problem, &expected(problem, contacts)).map(|support| support.held(problem))
+}
+
+/// Where contacts and openings of a solution are, in units of L.
+pub(super) fn of_solution(problem: &Problem, solution: &Solution) -> Vec<Expected> {
+    let length = problem.kernel.length();
+    let own = |contact: &Contact| contact.clone().scaled(length.recip(), 1.0).moved(-problem.origin);
+    let contacts = problem.unknown().filter_map(|contact| solution.contacts.get(contact));
+    let mut all = expected(problem, &contacts.map(own).collect::<Vec<_>>());
+    for (number, own) in solution.closed.iter().enumerate() {
+        let contact = problem.kernel.lowest() + 1 + number;
+        let opening = |one: &Opening| {
+            let ends = [one.left, one.right].map(|x| x / length - problem.origin);
+            Expected { contact, punch: 0, ends }
+        };
+        all.extend(own.openings.iter().map(opening));
+    }
+    all
+}
+
+/// Where contacts were found, in units of L.
+fn expected(problem: &Problem, contacts: &[Contact]) -> Vec<Expected> {
     let expected = problem.unknown().zip(contacts).flat_map(|(contact, own)| {
         let of = |(number, one): (usize, &solution::Interval)| {
             let punch = own.punches.get(number).copied().unwrap_or_default();
@@ -98,7 +124,7 @@ pub(super) fn of_contacts(problem: &Problem, contacts: &[Contact]) -> Option<Int
         let all: Vec<Expected> = own.intervals.iter().enumerate().map(of).collect();
         all.into_iter().filter(|one| !problem.is_even() || one.ends[1] > 0.0)
     });
-    of_formulas(problem, &expected.collect::<Vec<_>>()).map(|support| support.held(problem))
+    expected.collect()
 }
 
 /// As many terms as resolve waves so short that their compliance is the one of the layers at the faces of the contact alone.

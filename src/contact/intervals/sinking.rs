@@ -9,12 +9,12 @@ use crate::contact::integrals::layout::{Layout, Lengths, negligible};
 use crate::contact::intervals::equations::{Equations, fewer};
 use crate::contact::intervals::errors::{LEAST_FALL_GRADED, beyond};
 use crate::contact::intervals::kept::operations;
-use crate::contact::intervals::of_openings;
 use crate::contact::intervals::support::Intervals;
 use crate::contact::intervals::system::System;
+use crate::contact::intervals::{of_formulas, of_solution};
 use crate::contact::problem::{Prescribed, Problem};
 use crate::numeric::means::FELT;
-use crate::solution::{Contact, Solution};
+use crate::solution::Solution;
 
 /// How far a punch has sunk, and dP/dδ while the forces on others stay as they are; errors are due to missing terms.
 #[derive(Clone, Copy, Debug)]
@@ -27,15 +27,7 @@ pub(crate) struct Sinking {
 
 /// The intervals of a solution in units of L, with the numbers of terms on these; `None` where they are not known.
 pub(super) fn intervals_of(problem: &Problem, solution: &Solution) -> Option<(Intervals, Vec<usize>)> {
-    let own = |contact: &Contact| contact.clone().scaled(problem.kernel.length().recip(), 1.0).moved(-problem.origin);
-    let contacts = problem.unknown().filter_map(|contact| solution.contacts.get(contact));
-    let contacts: Vec<Contact> = contacts.map(own).collect();
-    let place = |x: f64| x / problem.kernel.length() - problem.origin;
-    let openings = solution.closed.iter().enumerate().flat_map(|(number, own)| {
-        let contact = problem.kernel.lowest() + 1 + number;
-        own.openings.iter().map(move |one| (contact, [one.left, one.right].map(place)))
-    });
-    let support = of_openings(problem, &contacts, &openings.collect::<Vec<_>>())?;
+    let support = of_formulas(problem, &of_solution(problem, solution))?.held(problem);
     let counts = solution.stats.terms.concat();
     (counts.len() == support.0.len()).then_some((support, counts))
 }

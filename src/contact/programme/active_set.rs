@@ -3,7 +3,7 @@
 //! Exchanging all elements at once that violate one or the other ends after a few steps as a rule. Where sets of elements
 //! return, the last element alone is exchanged until fewer violate them than ever before, so that the method ends for certain (Júdice and Pires 1994).
 use crate::contact::problem::accuracy::PATIENCE;
-use crate::contact::programme::constraints::Carried;
+use crate::contact::programme::constraints::{Carried, Constraint};
 use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Elements, Equilibrium, State};
 use crate::numeric::longest;
@@ -15,9 +15,11 @@ pub(super) struct Programme<'a> {
 
 /// Its solution.
 pub(super) struct Solved {
-    /// Which elements of each contact touch, and the forces on them.
+    /// Which elements of each contact touch, and the forces on all, over what weights press with.
     pub(super) touching: Elements<bool>,
     pub(super) forces: Elements<f64>,
+    /// The gaps of elements that do not touch, per unit of P'.
+    pub(super) gaps: Elements<f64>,
     /// The approach or rotation that goes with each constraint, and where nothing is even the moment of all that presses on the stack.
     pub(super) moved: Vec<f64>,
 }
@@ -40,7 +42,7 @@ impl<'a> Programme<'a> {
             let state = Equilibrium::new(self.energy, &touching).solve()?;
             let wrong = self.wrong(&touching, &state);
             let Some(last) = wrong.last() else {
-                return Some(self.solved(touching, state.pressures, state.moved));
+                return Some(self.solved(touching, state));
             };
             if wrong.len() < fewest {
                 (fewest, chances) = (wrong.len(), PATIENCE);
@@ -50,19 +52,40 @@ impl<'a> Programme<'a> {
             for (i, e) in if all { &wrong[..] } else { std::slice::from_ref(last) } {
                 touching[*i][*e] = !touching[*i][*e];
             }
+            if all {
+                self.hold(&mut touching, &state);
+            }
         }
         None
+    }
+
+    /// Lets the element with the largest pressure touch where otherwise none would that carries a resultant.
+    fn hold(&self, touching: &mut Elements<bool>, state: &State) {
+        for Constraint { contact, weights, .. } in &self.energy.constraints {
+            let (touching, pressures) = (&mut touching[*contact], &state.pressures[*contact]);
+            let mut carrying = (0..weights.len()).filter(|e| weights[*e] != 0.0);
+            if carrying.clone().any(|e| touching[e]) {
+                continue;
+            }
+            let over = |e: usize| pressures[e] - self.energy.apart[*contact][e];
+            // those that did not touch before have none
+            let pressed = carrying.clone().filter(|e| over(*e) != 0.0).max_by(|a, b| over(*a).total_cmp(&over(*b)));
+            if let Some(e) = pressed.or_else(|| carrying.next()) {
+                touching[e] = true;
+            }
+        }
     }
 
     /// Elements that touch and are in tension, and others with penetration, with the numbers of their contacts.
     fn wrong(&self, touching: &Elements<bool>, state: &State) -> Vec<(usize, usize)> {
         let of = |(i, touching): (usize, &Vec<bool>)| {
             let (pressures, gaps, terms) = (&state.pressures[i], &state.gaps[i], &state.terms[i]);
+            let apart = &self.energy.apart[i];
             // smaller parts of the largest pressure, and of the terms of a gap, are zero
             let rounding = 1e-10;
             let zero = rounding * longest(pressures.iter().copied());
             let is_wrong = |e: &usize| match touching[*e] {
-                true => pressures[*e] < -zero,
+                true => pressures[*e] - apart[*e] < -zero,
                 false => !self.energy.inadmissible[i][*e] && gaps[*e] < -rounding * terms[*e],
             };
             (0..touching.len()).filter(is_wrong).map(|e| (i, e)).collect::<Vec<_>>()
@@ -105,10 +128,10 @@ impl<'a> Programme<'a> {
         (0..self.energy.contacts()).map(of).collect()
     }
 
-    fn solved(&self, touching: Elements<bool>, mut forces: Elements<f64>, moved: Vec<f64>) -> Solved {
+    fn solved(&self, touching: Elements<bool>, State { pressures: mut forces, gaps, moved, .. }: State) -> Solved {
         for own in &mut forces {
             own.iter_mut().zip(&self.energy.resultants).for_each(|(p, resultant)| *p *= resultant);
         }
-        Solved { touching, forces, moved }
+        Solved { touching, forces, gaps, moved }
     }
 }

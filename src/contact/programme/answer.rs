@@ -6,20 +6,26 @@ use crate::contact::answer::Answer;
 use crate::contact::problem::Expected;
 use crate::contact::problem::accuracy::{COARSE, ENDLESS, SAFETY};
 use crate::contact::problem::{Problem, load};
+use crate::kernel::Kernel;
 use crate::numeric::largest;
 use crate::solution::{Contact, Form, Interval, Stats, Strip, Warning, WarningCode};
 
 use super::grid::Grid;
+use super::openings::interface;
 use super::patch::Patch;
 use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles, touching_on};
 
 /// Presses punches or given loads: `None` if pressures are known too badly.
-pub(crate) fn answer(problem: &Problem, expected: &[Expected], far: f64) -> Option<Answer> {
-    let all = cycles(problem, expected, far, FINE);
+pub(crate) fn answer(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64) -> Option<Answer> {
+    let all = cycles(problem, kernel, expected, far, FINE);
     let [before, last] = &all[..] else { return None };
     let touching = touching_on(problem, expected, last);
     let found = |(i, contact): (usize, usize)| found(problem, contact, &touching, [before, last], i);
-    let contacts = problem.unknown().enumerate().map(found).collect::<Option<Vec<_>>>()?;
+    let (opened, others): (Vec<_>, Vec<_>) =
+        problem.unknown().enumerate().partition(|(_, contact)| problem.is_opened(*contact));
+    let contacts = others.into_iter().map(found).collect::<Option<Vec<_>>>()?;
+    let closed = opened.into_iter().map(|(i, contact)| interface(problem, contact, [before, last], i));
+    let closed = closed.collect::<Option<Vec<_>>>()?;
     let elements = last.grid.elements();
     let message = format!(
         "accuracy about 1 %: Newton's method did not converge, so this is the solution of the quadratic programme with \
@@ -28,16 +34,7 @@ pub(crate) fn answer(problem: &Problem, expected: &[Expected], far: f64) -> Opti
     let warnings = vec![Warning::new(WarningCode::LowAccuracy, message)];
     let stats = Stats { modes: vec![elements; problem.contacts()], ..problem.kernel.stats() };
     let rotations = if problem.is_even() { Vec::new() } else { rotations(problem, last) };
-    Some(Answer {
-        contacts,
-        closed: Vec::new(),
-        force: [1.0, 0.0],
-        min_pressure: 0.0,
-        min_gap: 0.0,
-        rotations,
-        stats,
-        warnings,
-    })
+    Some(Answer { contacts, closed, force: [1.0, 0.0], min_pressure: 0.0, min_gap: 0.0, rotations, stats, warnings })
 }
 
 /// By how much the slope of the gap of each contact grows since bodies turn, under each punch.
@@ -171,7 +168,7 @@ fn parts(
 
 impl Cycle {
     /// On an element of contact i.
-    fn pressure(&self, i: usize, e: usize) -> f64 {
+    pub(super) fn pressure(&self, i: usize, e: usize) -> f64 {
         self.solved.forces[i][e] / self.grid.carried(e)[0]
     }
 
@@ -182,7 +179,7 @@ impl Cycle {
     }
 
     /// How far an end may be off since elements have a length: where nothing is even an interval may have moved by as much as it may be longer.
-    fn resolution(&self, end: f64) -> f64 {
+    pub(super) fn resolution(&self, end: f64) -> f64 {
         let times = if self.grid.patch() == Patch::Strip { 2.0 } else { 1.0 };
         times * SAFETY * self.grid.width(end)
     }
@@ -241,7 +238,7 @@ impl Cycle {
 
 impl Grid {
     /// The element at x.
-    fn containing(&self, x: f64) -> usize {
+    pub(super) fn containing(&self, x: f64) -> usize {
         self.edges().partition_point(|edge| *edge <= x).clamp(1, self.elements()) - 1
     }
 

@@ -5,21 +5,34 @@ use crate::contact::problem::load::Given;
 use crate::contact::problem::{Problem, Side};
 use crate::contact::programme::constraints::{Carried, Constraint};
 use crate::contact::programme::grid::Grid;
+use crate::kernel::Kernel;
 
 /// The kernels of some contacts, one below the other. What presses on their laminates from the next contact, above or
 /// below, is given.
 pub(super) struct Compliances<'a> {
     problem: &'a Problem<'a>,
+    /// All layers that may come apart are laminates of their own in it.
+    kernel: &'a Kernel,
     contacts: Range<usize>,
     /// Between which places one of several punches may press and the next one may.
     between: &'a [f64],
 }
 
 impl<'a> Compliances<'a> {
-    pub(super) fn new(problem: &'a Problem<'a>, between: &'a [f64]) -> Self {
+    pub(super) fn new(problem: &'a Problem<'a>, kernel: &'a Kernel, between: &'a [f64]) -> Self {
         let mut unknown = problem.unknown();
         let first = unknown.next().unwrap_or(problem.contacts());
-        Self { problem, contacts: first..first + unknown.count() + usize::from(first < problem.contacts()), between }
+        Self {
+            problem,
+            kernel,
+            contacts: first..first + unknown.count() + usize::from(first < problem.contacts()),
+            between,
+        }
+    }
+
+    /// Whether layers lie on each other but for openings.
+    pub(super) fn has_openings(&self) -> bool {
+        self.contacts.clone().any(|contact| self.problem.is_opened(contact))
     }
 
     /// How many contacts there are.
@@ -51,7 +64,9 @@ impl<'a> Compliances<'a> {
         let (mut all, is_even) = (Vec::new(), self.problem.is_even());
         let of = |kind: Carried, weights: Vec<f64>| Constraint { contact: i, weights, kind };
         for (number, group) in self.problem.groups(contact).into_iter().enumerate() {
-            all.push(of(Carried::Resultant(group.share), weights(0, Some(number))));
+            // weights are in equilibrium by themselves
+            let share = if self.problem.is_opened(contact) { 1.0 } else { group.share };
+            all.push(of(Carried::Resultant(share), weights(0, Some(number))));
             if let (0, Some(moment)) = (contact, group.moment.filter(|_| group.turns)) {
                 all.push(of(Carried::Moment(number, moment), weights(1, Some(number))));
             }
@@ -70,26 +85,34 @@ impl<'a> Compliances<'a> {
         (from >= left && to <= right).then_some(move |x: f64| side.height_above_tip(punch, x))
     }
 
+    /// The pressure over what weights press with on each element of contact i that does not touch.
+    pub(super) fn apart(&self, i: usize, grid: &Grid) -> Vec<f64> {
+        let middle = |e: usize| 0.5 * (grid.edges()[e] + grid.edges()[e + 1]);
+        match &self.problem.sides[self.contacts.start + i] {
+            Side::Openings(closed) => (0..grid.elements()).map(|e| -closed.at(middle(e))).collect(),
+            _ => vec![0.0; grid.elements()],
+        }
+    }
+
     /// What the kernel of contact i tends to for short waves.
     pub(super) fn limit(&self, i: usize) -> f64 {
-        self.problem.kernel.asymptote(self.contacts.start + i).limit
+        self.kernel.asymptote(self.contacts.start + i).limit
     }
 
     /// The kernel of contact i if its neighbours have the same pressure.
     pub(super) fn own(&self, i: usize, zeta: f64) -> f64 {
-        self.limit(i) + self.problem.kernel.remainder(self.contacts.start + i, zeta)
+        self.limit(i) + self.kernel.remainder(self.contacts.start + i, zeta)
     }
 
     /// The couplings of contact i and its neighbours of which the pressure is given, all together.
     pub(super) fn coupled(&self, i: usize, zeta: f64) -> f64 {
-        -self.known_neighbours(i).map(|(coupling, _)| self.problem.kernel.coupling(coupling, zeta)).sum::<f64>()
+        -self.known_neighbours(i).map(|(coupling, _)| self.kernel.coupling(coupling, zeta)).sum::<f64>()
     }
 
     /// The same times p̂/P − 1 of those pressures.
     pub(super) fn given(&self, i: usize, zeta: f64) -> f64 {
-        let one = |(coupling, given): (usize, &Given)| {
-            self.problem.kernel.coupling(coupling, zeta) * given.transform_minus_one(zeta)
-        };
+        let one =
+            |(coupling, given): (usize, &Given)| self.kernel.coupling(coupling, zeta) * given.transform_minus_one(zeta);
         -self.known_neighbours(i).map(one).sum::<f64>()
     }
 
@@ -97,7 +120,7 @@ impl<'a> Compliances<'a> {
     pub(super) fn given_odd(&self, i: usize, zeta: f64, beyond: f64) -> f64 {
         let one = |(coupling, given): (usize, &Given)| {
             let less = given.odd_transform_less_moment(zeta) - given.moment * beyond;
-            self.problem.kernel.coupling(coupling, zeta) * less
+            self.kernel.coupling(coupling, zeta) * less
         };
         self.known_neighbours(i).map(one).sum::<f64>()
     }
@@ -112,6 +135,6 @@ impl<'a> Compliances<'a> {
 
     /// The coupling of contacts i and i + 1.
     pub(super) fn coupling(&self, i: usize, zeta: f64) -> f64 {
-        -self.problem.kernel.coupling(self.contacts.start + i, zeta)
+        -self.kernel.coupling(self.contacts.start + i, zeta)
     }
 }

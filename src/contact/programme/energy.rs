@@ -25,6 +25,8 @@ pub(super) struct Energy {
     pub(super) linear: Vec<Vec<f64>>,
     /// Resultant of each element's unit pressure.
     pub(super) resultants: Vec<f64>,
+    /// The pressures on elements that do not touch: less than the pressure of weights where these press, which is none then.
+    pub(super) apart: Vec<Vec<f64>>,
     /// Elements that the punch at a contact does not reach.
     pub(super) inadmissible: Vec<Vec<bool>>,
     /// What pressures have to carry.
@@ -46,6 +48,7 @@ impl Energy {
             coupling: vec![Mat::zeros(elements, elements); contacts - 1],
             linear: vec![vec![0.0; elements]; contacts],
             resultants: (0..elements).map(|e| grid.carried(e)[0]).collect(),
+            apart: (0..contacts).map(|i| kernel.apart(i, grid)).collect(),
             inadmissible: vec![vec![false; elements]; contacts],
             constraints: (0..contacts).flat_map(|i| kernel.constraints(i, grid)).collect(),
             turning: (grid.patch() == Patch::Strip).then(|| Turning {
@@ -57,7 +60,7 @@ impl Energy {
                 given: vec![0.0; contacts],
             }),
         };
-        let waves = Waves::new(grid);
+        let waves = Waves::new(kernel, grid);
         let least = waves.least(kernel);
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
@@ -111,6 +114,9 @@ impl Energy {
         for (from, to) in waves.octaves() {
             let octave = waves.octave(grid, [from, to]);
             self.add_even(kernel, least, grid, &octave);
+            if grid.patch() == Patch::Pair && !octave.is_one() {
+                self.add_mirrored(kernel, least, grid, &octave);
+            }
             if let Some(mut turning) = self.turning.take() {
                 self.add_odd(kernel, least, grid, &octave, &mut turning);
                 self.turning = Some(turning);
@@ -126,6 +132,7 @@ impl Energy {
         let beyond: Vec<f64> = beyond.map(|own| if octave.is_one() { own / whole } else { -1.0 }).collect();
         let of = |x: f64| grid.patch().transform(&octave.zeta, x);
         let transforms = octave.transforms(grid, of, |e, k| -grid.carried(e)[0] * beyond[k]);
+        let mirrored = f64::from(u8::from(grid.patch() == Patch::Pair));
         for (i, (unit, linear)) in self.unit.iter_mut().zip(&mut self.linear).enumerate() {
             let (mut weights, mut forces) = (Vec::new(), Vec::new());
             for ((zeta, w), beyond) in octave.zeta.iter().zip(&octave.widths).zip(&beyond) {
@@ -134,10 +141,10 @@ impl Energy {
                 // a given neighbour counts by what it differs from the pressure that all are compared with
                 forces.push(w * (own * (1.0 + beyond) + coupled * beyond - kernel.given(i, *zeta)));
             }
-            octave.add_gram(&transforms, &weights, unit);
+            octave.add_gram(&transforms, &weights, mirrored, unit);
             add_products(&transforms, &forces, linear);
         }
-        self.add_couplings(kernel, &transforms, octave);
+        self.add_couplings(kernel, &transforms, mirrored, octave);
     }
 
     /// Adds the odd parts of some waves. As for resultants, pressures are compared with one of the same moment: long waves, by which laminates bend, lose no digits.
@@ -164,7 +171,7 @@ impl Energy {
                 turning.square[i] += own * unit * unit;
                 turning.given[i] += given * unit;
             }
-            octave.add_gram(&transforms, &weights, &mut self.unit[i]);
+            octave.add_gram(&transforms, &weights, 0.0, &mut self.unit[i]);
             add_products(&transforms, &forces, &mut self.linear[i]);
             add_products(&transforms, &turned, &mut turning.linear[i]);
             add_products(&transforms, &beside, &mut turning.beside[i]);
@@ -174,14 +181,26 @@ impl Energy {
             let weights: Vec<f64> = all.map(|((zeta, w), unit)| w * kernel.coupling(i, *zeta) * unit).collect();
             add_products(&transforms, &weights, sum);
         }
-        self.add_couplings(kernel, &transforms, octave);
+        self.add_couplings(kernel, &transforms, 0.0, octave);
     }
 
-    fn add_couplings(&mut self, kernel: &Compliances, transforms: &Mat<f64>, octave: &Octave) {
+    /// Adds the odd parts of waves by which what is even is not felt by its mirror image far away: without them, that would be told by phases that are not told from each other.
+    fn add_mirrored(&mut self, kernel: &Compliances, least: &[f64], grid: &Grid, octave: &Octave) {
+        let of = |x: f64| octave.zeta.iter().map(|zeta| 4.0 * (0.5 * zeta * x).sin().powi(2) / zeta).collect();
+        let transforms = octave.transforms(grid, of, |_, _| 0.0);
+        for (i, (unit, least)) in self.unit.iter_mut().zip(least).enumerate() {
+            let of = |(zeta, w): (&f64, &f64)| w * (kernel.own(i, *zeta) - least + kernel.coupled(i, *zeta));
+            let weights: Vec<f64> = octave.zeta.iter().zip(&octave.widths).map(of).collect();
+            octave.add_gram(&transforms, &weights, -1.0, unit);
+        }
+        self.add_couplings(kernel, &transforms, -1.0, octave);
+    }
+
+    fn add_couplings(&mut self, kernel: &Compliances, transforms: &Mat<f64>, mirrored: f64, octave: &Octave) {
         for (i, coupling) in self.coupling.iter_mut().enumerate() {
             let all = octave.zeta.iter().zip(&octave.widths);
             let weights: Vec<f64> = all.map(|(zeta, w)| w * kernel.coupling(i, *zeta)).collect();
-            octave.add_gram(transforms, &weights, coupling);
+            octave.add_gram(transforms, &weights, mirrored, coupling);
         }
     }
 

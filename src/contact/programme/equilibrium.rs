@@ -12,6 +12,7 @@ use faer::{Accum, Mat, MatRef, Par, Side};
 
 use crate::contact::programme::constraints::Carried;
 use crate::contact::programme::energy::Energy;
+use crate::numeric::dot;
 
 /// A value for each element of each contact.
 pub(super) type Elements<T> = Vec<Vec<T>>;
@@ -21,6 +22,11 @@ pub(super) struct Equilibrium<'a> {
     energy: &'a Energy,
     /// The elements of each contact that touch.
     elements: Elements<usize>,
+    /// The pressures on the others, none on those that touch.
+    apart: Elements<f64>,
+    /// What these and the punch do to the gaps of each contact, and the magnitudes of all that this is the sum of.
+    linear: Elements<f64>,
+    terms: Elements<f64>,
 }
 
 /// What comes of it, for each element of each contact.
@@ -51,16 +57,24 @@ struct Below {
 impl<'a> Equilibrium<'a> {
     pub(super) fn new(energy: &'a Energy, touching: &Elements<bool>) -> Self {
         let number = |own: &Vec<bool>| (0..own.len()).filter(|e| own[*e]).collect();
-        Self { energy, elements: touching.iter().map(number).collect() }
+        let none = |(apart, touches): (&f64, &bool)| if *touches { 0.0 } else { *apart };
+        let of = |(apart, own): (&Vec<f64>, &Vec<bool>)| apart.iter().zip(own).map(none).collect();
+        let apart: Elements<f64> = energy.apart.iter().zip(touching).map(of).collect();
+        let between = |pair: &[Vec<f64>]| pair[0].iter().zip(&pair[1]).map(|(above, own)| above - own).collect();
+        let jumps: Elements<f64> = apart.windows(2).map(between).collect();
+        let mut linear = energy.linear.clone();
+        let mut terms: Elements<f64> = linear.iter().map(|own| own.iter().map(|value| value.abs()).collect()).collect();
+        energy.add_pressures(&apart, &jumps, [&mut linear, &mut terms]);
+        Self { energy, elements: touching.iter().map(number).collect(), apart, linear, terms }
     }
 
     /// What each constraint does to contact i, a unit approach or rotation, then a unit moment, and what the punch does in the last column, for the elements that touch.
     fn load(&self, i: usize) -> Mat<f64> {
-        let Energy { linear, constraints, turning, .. } = self.energy;
+        let Energy { constraints, turning, .. } = self.energy;
         let of = |e: usize, c: usize| match (constraints.get(c), turning) {
             (Some(own), _) => own.weight(i, e),
             (None, Some(turning)) if c == constraints.len() => -turning.linear[i][e],
-            _ => linear[i][e],
+            _ => self.linear[i][e],
         };
         let columns = constraints.len() + usize::from(turning.is_some()) + 1;
         Mat::from_fn(self.elements[i].len(), columns, |k, c| of(self.elements[i][k], c))
@@ -168,6 +182,7 @@ impl<'a> Equilibrium<'a> {
         }
         let mut known = Mat::from_fn(n, 1, |row, _| rows[(row, n)]);
         for (row, own) in constraints.iter().enumerate() {
+            known[(row, 0)] -= dot(&own.weights, &self.apart[own.contact]);
             match own.kind {
                 Carried::Resultant(value) | Carried::Moment(_, value) => known[(row, 0)] += value,
                 Carried::WholeMoment => {
@@ -178,6 +193,8 @@ impl<'a> Equilibrium<'a> {
         }
         if let Some(turning) = turning {
             rows[(n - 1, n - 1)] += turning.square.iter().sum::<f64>();
+            known[(n - 1, 0)] -=
+                turning.linear.iter().zip(&self.apart).map(|(own, apart)| dot(own, apart)).sum::<f64>();
             if let Some(moment) = turning.moment {
                 (0..n).for_each(|c| rows[(n - 1, c)] = if c + 1 == n { 1.0 } else { 0.0 });
                 known[(n - 1, 0)] = moment;
@@ -188,18 +205,21 @@ impl<'a> Equilibrium<'a> {
 
     /// Pressures and gaps; `None` if the equations cannot be solved in double precision.
     pub(super) fn solve(&self) -> Option<State> {
-        let Energy { linear, resultants, constraints, turning, .. } = self.energy;
+        let Energy { resultants, constraints, turning, .. } = self.energy;
         let contacts = self.energy.contacts();
         let responses = self.unknowns()?;
         let moved = self.moved(&responses);
         let n = moved.len();
         let mut pressures = vec![vec![0.0; self.energy.elements()]; contacts];
-        let mut gaps = linear.clone();
+        let (mut gaps, mut terms) = (self.linear.clone(), self.terms.clone());
         if let (Some(turning), Some(moment)) = (turning, moved.last()) {
-            let all = gaps.iter_mut().flatten().zip(turning.linear.iter().flatten());
-            all.for_each(|(gap, linear)| *gap += moment * linear);
+            let all = gaps.iter_mut().flatten().zip(terms.iter_mut().flatten()).zip(turning.linear.iter().flatten());
+            all.for_each(|((gap, terms), linear)| {
+                *gap += moment * linear;
+                *terms += (moment * linear).abs();
+            });
         }
-        let mut terms: Elements<f64> = gaps.iter().map(|own| own.iter().map(|value| value.abs()).collect()).collect();
+        let mut jumps: Elements<f64> = Vec::new();
         for (i, responses) in responses.iter().enumerate() {
             let mut jump = if i > 0 { pressures[i - 1].clone() } else { Vec::new() };
             for (k, e) in self.elements[i].iter().enumerate() {
@@ -212,11 +232,12 @@ impl<'a> Equilibrium<'a> {
                 pressures[i][*e] = above + unknown;
             }
             if i > 0 {
-                add_product(1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i - 1], &mut terms[i - 1]);
-                add_product(-1.0, &self.energy.coupling[i - 1], &jump, &mut gaps[i], &mut terms[i]);
+                jumps.push(jump);
             }
-            add_product(1.0, &self.energy.unit[i], &pressures[i], &mut gaps[i], &mut terms[i]);
         }
+        self.energy.add_pressures(&pressures, &jumps, [&mut gaps, &mut terms]);
+        let all = pressures.iter_mut().flatten().zip(self.apart.iter().flatten());
+        all.for_each(|(pressure, apart)| *pressure += apart);
         for (i, (gaps, terms)) in gaps.iter_mut().zip(&mut terms).enumerate() {
             for (e, ((gap, terms), resultant)) in gaps.iter_mut().zip(terms).zip(resultants).enumerate() {
                 let all = constraints.iter().enumerate().map(|(c, own)| own.weight(i, e) * moved[c]);
@@ -227,6 +248,19 @@ impl<'a> Equilibrium<'a> {
         }
         let finite = pressures.iter().chain(&gaps).flatten().chain(&moved).all(|value| value.is_finite());
         finite.then_some(State { pressures, gaps, terms, moved })
+    }
+}
+
+impl Energy {
+    /// Adds what pressures do to gaps, and its magnitude to their terms; `jumps` are what the pressure of a contact is more than the one below.
+    fn add_pressures(&self, pressures: &Elements<f64>, jumps: &Elements<f64>, [gaps, terms]: [&mut Elements<f64>; 2]) {
+        for (i, (coupling, jump)) in self.coupling.iter().zip(jumps).enumerate() {
+            add_product(1.0, coupling, jump, &mut gaps[i], &mut terms[i]);
+            add_product(-1.0, coupling, jump, &mut gaps[i + 1], &mut terms[i + 1]);
+        }
+        for (i, (unit, pressures)) in self.unit.iter().zip(pressures).enumerate() {
+            add_product(1.0, unit, pressures, &mut gaps[i], &mut terms[i]);
+        }
     }
 }
 

@@ -128,11 +128,12 @@ impl Grid {
         found
     }
 
-    /// Which elements touch where a contact is expected.
+    /// Which elements are at least in part where a contact is expected.
     pub(super) fn within(&self, expected: &[Expected], contact: usize) -> Vec<bool> {
-        let is_there =
-            |x: f64| expected.iter().any(|own| own.contact == contact && own.ends[0] <= x && x <= own.ends[1]);
-        self.edges.windows(2).map(|pair| is_there(0.5 * (pair[0] + pair[1]))).collect()
+        let is_there = |pair: &[f64]| {
+            expected.iter().any(|own| own.contact == contact && own.ends[0] < pair[1] && pair[0] < own.ends[1])
+        };
+        self.edges.windows(2).map(is_there).collect()
     }
 
     /// Which elements touch, if an element touches where the element of a coarser grid that contains it does.

@@ -3,7 +3,7 @@
 //! Of all pressures p ≥ 0 of the right resultants the true ones make the elastic energy plus the work against the
 //! punch's profile least. With pressures constant on elements of one grid for all contacts that is a quadratic
 //! programme: it always has one solution, whatever the start, and says where bodies touch, in one interval or in
-//! several.
+//! several. Where weights press layers together pressures count from the closed state, and may be negative down to what presses there: elements that do not touch are openings.
 mod active_set;
 mod answer;
 mod compliances;
@@ -11,6 +11,7 @@ mod constraints;
 mod energy;
 mod equilibrium;
 mod grid;
+mod openings;
 mod patch;
 #[cfg(test)]
 mod tests;
@@ -21,6 +22,7 @@ use std::ops::Range;
 use crate::contact::problem::Expected;
 use crate::contact::problem::twin::Twin;
 use crate::contact::problem::{Problem, Side, accuracy};
+use crate::kernel::Kernel;
 use active_set::{Programme, Solved};
 use compliances::Compliances;
 use energy::Energy;
@@ -67,19 +69,20 @@ struct Cycle {
     rotations: Vec<(f64, Vec<(usize, f64)>)>,
 }
 
-/// Where all contacts touch, in one interval or in several, none further than the end of the grid; `expected` is where contacts are expected, to make a grid for, and
-/// the grid reaches well beyond the distance `far` from x = 0. `None` if the programme has no solution in double precision.
-pub(super) fn touching(problem: &Problem, expected: &[Expected], far: f64) -> Option<Vec<Expected>> {
-    Some(touching_on(problem, expected, cycles(problem, expected, far, COARSE).last()?))
+/// Where all contacts touch, in one interval or in several, none further than the end of the grid, and where layers that lie on each other are apart; `expected` is where these are expected, to
+/// make a grid for, and the grid reaches well beyond the distance `far` from x = 0. In the kernel all layers that may come apart are laminates of their own. `None` if the programme has
+/// no solution in double precision.
+pub(super) fn touching(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64) -> Option<Vec<Expected>> {
+    Some(touching_on(problem, expected, cycles(problem, kernel, expected, far, COARSE).last()?))
 }
 
 /// The same on one grid; under several punches no interval goes on from one to the next.
 fn touching_on(problem: &Problem, expected: &[Expected], cycle: &Cycle) -> Vec<Expected> {
     let Cycle { grid, solved, .. } = cycle;
     let mut found = Vec::new();
-    for (contact, touching) in problem.unknown().zip(&solved.touching) {
+    for (contact, listed) in problem.unknown().zip(&listed(problem, &solved.touching)) {
         let between = if problem.groups(contact).len() > 1 { between(expected) } else { Vec::new() };
-        for [from, to] in parts(touching, grid) {
+        for [from, to] in parts(listed, grid) {
             let inside = between.iter().copied().filter(|x| from < *x && *x < to);
             let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
             found.extend(ends.windows(2).map(|pair| {
@@ -91,10 +94,19 @@ fn touching_on(problem: &Problem, expected: &[Expected], cycle: &Cycle) -> Vec<E
     found
 }
 
+/// Which elements are in intervals that are listed: where bodies touch, or where layers that lie on each other are apart.
+fn listed(problem: &Problem, touching: &[Vec<bool>]) -> Vec<Vec<bool>> {
+    let of = |(contact, touching): (usize, &Vec<bool>)| {
+        touching.iter().map(|touches| *touches != problem.is_opened(contact)).collect()
+    };
+    problem.unknown().zip(touching).map(of).collect()
+}
+
 /// Places in the middle between contacts that are expected under punches next to each other.
 fn between(expected: &[Expected]) -> Vec<f64> {
     let top: Vec<&Expected> = expected.iter().filter(|one| one.contact == 0).collect();
-    top.windows(2).map(|pair| 0.5 * (pair[0].ends[1] + pair[1].ends[0])).collect()
+    let next = top.windows(2).filter(|pair| pair[0].punch != pair[1].punch);
+    next.map(|pair| 0.5 * (pair[0].ends[1] + pair[1].ends[0])).collect()
 }
 
 /// The first grid: none where lengths are no positive numbers, or so different that there would be too many elements.
@@ -121,10 +133,10 @@ fn first_grid(problem: &Problem, expected: &[Expected], far: f64) -> Option<Grid
 }
 
 /// The last refinement cycles, two at most, with the finest grids.
-fn cycles(problem: &Problem, expected: &[Expected], far: f64, resolution: Resolution) -> Vec<Cycle> {
+fn cycles(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64, resolution: Resolution) -> Vec<Cycle> {
     let between = between(expected);
     // a prescribed traction is no unknown of the programme
-    let kernel = &Compliances::new(problem, &between);
+    let kernel = &Compliances::new(problem, kernel, &between);
     let mut cycles: Vec<Cycle> = Vec::new();
     let Some(mut grid) = first_grid(problem, expected, far).filter(|_| kernel.contacts() > 0) else { return cycles };
     let mut longer = 3;
@@ -134,17 +146,22 @@ fn cycles(problem: &Problem, expected: &[Expected], far: f64, resolution: Resolu
         let Some(energy) = Energy::new(kernel, &grid) else { break };
         let start = match cycles.last() {
             Some(coarse) => grid.inherit(&coarse.grid, &coarse.solved.touching),
-            None => problem.unknown().map(|contact| grid.within(expected, contact)).collect(),
+            None => {
+                let within: Vec<Vec<bool>> = problem.unknown().map(|contact| grid.within(expected, contact)).collect();
+                listed(problem, &within)
+            }
         };
         let Some(mut solved) = Programme::new(&energy).solve(start) else { break };
-        for (touching, forces) in solved.touching.iter_mut().zip(&solved.forces) {
+        let recede = problem.unknown().map(|contact| !problem.is_opened(contact));
+        let all = recede.zip(solved.touching.iter_mut().zip(&solved.forces));
+        for (_, (touching, forces)) in all.filter(|(recedes, _)| *recedes) {
             separate_where_unloaded(touching, forces);
             if resolution.is_answer {
                 separate_where_grazing(touching, forces, &grid);
             }
         }
         let mut around: Vec<(usize, f64)> =
-            solved.touching.iter().flat_map(|touching| ends(touching, &grid, resolution.ends)).collect();
+            listed(problem, &solved.touching).iter().flat_map(|listed| ends(listed, &grid, resolution.ends)).collect();
         if resolution.is_answer {
             let all = solved.touching.iter().zip(&solved.forces);
             let dips = all.flat_map(|(touching, forces)| dips(touching, forces, &grid));
@@ -152,8 +169,8 @@ fn cycles(problem: &Problem, expected: &[Expected], far: f64, resolution: Resolu
         }
         // an interval of re-contact that reaches the end of the grid does not end
         let last = grid.elements() - 1;
-        let reaches_end = |touching: &Vec<bool>| touching[last] || grid.patch() == Patch::Strip && touching[0];
-        let reaches_end = solved.touching.iter().any(reaches_end);
+        let reaches_end = |listed: &Vec<bool>| listed[last] || grid.patch() == Patch::Strip && listed[0];
+        let reaches_end = listed(problem, &solved.touching).iter().any(reaches_end);
         cycles.push(Cycle { grid: grid.clone(), rotations: Programme::new(&energy).rotations(&solved), solved });
         if cycles.len() > 2 {
             cycles.remove(0);

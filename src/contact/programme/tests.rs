@@ -12,7 +12,7 @@ use crate::contact::programme::energy::Energy;
 use crate::contact::programme::equilibrium::{Equilibrium, State};
 use crate::contact::programme::grid::Grid;
 use crate::contact::programme::patch::Patch;
-use crate::contact::programme::{COARSE, answer, touching};
+use crate::contact::programme::{COARSE, answer, between, touching};
 
 /// In the plane, or the like about an axis.
 fn drawn(geometry: Geometry, seed: u64, number: u64) -> Scene {
@@ -53,7 +53,7 @@ fn each_solved(
 fn half_lengths_are_those_of_the_quadratic_programme() {
     for (geometry, count) in [(Geometry::PlaneStrain, 100), (Geometry::Axisymmetric, 30)] {
         each_solved(geometry, 5, count, |number, problem, expected, solution| {
-            let touching = touching(problem, expected, 0.0).unwrap();
+            let touching = touching(problem, problem.kernel, expected, 0.0).unwrap();
             assert_eq!(touching.len(), solution.contacts().len(), "{number}");
             for (touching, contact) in touching.iter().zip(solution.contacts()) {
                 let error = touching.ends[1] * problem.kernel.length() / contact.innermost().right - 1.0;
@@ -67,7 +67,11 @@ fn half_lengths_are_those_of_the_quadratic_programme() {
 fn its_own_answer_is_as_good_as_it_says() {
     for (geometry, count) in [(Geometry::PlaneStrain, 20), (Geometry::Axisymmetric, 10)] {
         each_solved(geometry, 6, count, |number, problem, expected, solution| {
-            let coarse = answer(problem, expected, 0.0).unwrap().into_solution(problem, problem.total_force(), None);
+            let coarse = answer(problem, problem.kernel, expected, 0.0).unwrap().into_solution(
+                problem,
+                problem.total_force(),
+                None,
+            );
             for (coarse, fine) in coarse.contacts().iter().zip(solution.contacts()) {
                 assert!((coarse.resultant / fine.resultant - 1.0).abs() < 1e-12, "{number}: {}", coarse.resultant);
                 assert!(
@@ -82,6 +86,46 @@ fn its_own_answer_is_as_good_as_it_says() {
                 assert!(off < 0.1 * fine.central_pressure, "{number}, {}: {off}", coarse.interface);
             }
         });
+    }
+}
+
+#[test]
+fn openings_of_layers_that_weights_press_together_are_known_as_well() {
+    let two = "punches: [(shape: Parabola(radius: 100), at: 0.0, force: 2e-3), (shape: Parabola(radius: 60), at: 1.5, force: 1e-3)]";
+    for top in ["punch: Parabola(radius: 100), force: 2e-3", "load: Uniform(half_width: 0.2), force: 3e-3", two] {
+        let scene = Scene::from_ron(&format!(
+            "Scene(geometry: PlaneStrain, {top}, pressure_on_top: 1e-5, stack: [
+            Homogeneous(thickness: 1.0, shear_modulus: 1.0, poisson: 0.25), Receding,
+            Homogeneous(thickness: 2.0, shear_modulus: 0.5, poisson: 0.25), Receding,
+            HalfPlane(shear_modulus: 1.0, poisson: 0.25)])"
+        ));
+        let scene = scene.unwrap();
+        let stack = scene.stack().unwrap();
+        let (kernel, laminates) = (Kernel::of_openings(&stack).unwrap(), Kernel::new(&stack).unwrap());
+        let interfaces = stack.contacts();
+        let weights: Vec<_> = interfaces.iter().skip(1).copied().zip(stack.weights()).collect();
+        let fine = Model::new(stack.clone()).unwrap().press(&scene.top, scene.force).unwrap();
+        let force = fine.force();
+        let problem = Problem::opened(&kernel, &interfaces, (&scene.top, &[], None), (&weights, &[]), force, 1e-6);
+        let mut expected = formulas::anywhere(&problem);
+        expected.push(Expected { contact: 1, punch: 0, ends: [3.0, 4.0] });
+        let coarse = answer(&problem, &laminates, &expected, 0.0).unwrap();
+        let coarse = coarse.into_solution(&problem, force, None);
+        assert_eq!(fine.closed().len(), 2);
+        for (coarse, fine) in coarse.closed().iter().zip(fine.closed()) {
+            assert!((coarse.openings.len(), fine.openings.len()) == (2, 2), "{top}: {coarse:?}");
+            for (coarse, fine) in coarse.openings.iter().zip(&fine.openings) {
+                let moved = [(coarse.left - fine.left).abs(), (coarse.right - fine.right).abs()];
+                assert!(moved[0] < coarse.left_error && moved[1] < coarse.right_error, "{top}: {coarse:?} {fine:?}");
+                assert!((coarse.largest_gap / fine.largest_gap - 1.0).abs() < 0.05, "{top}: {coarse:?} {fine:?}");
+            }
+            let pressure = (coarse.central_pressure - fine.central_pressure).abs();
+            assert!(pressure < coarse.central_pressure_error, "{top}: {pressure}");
+            // the slope of the gap, of which fields are made
+            let widest = &fine.openings[0];
+            let gaps = [&coarse.gap(widest.largest_gap_at), &fine.gap(widest.largest_gap_at)].map(|gap| gap.abs());
+            assert!((gaps[0] / gaps[1] - 1.0).abs() < 0.05, "{top}: {gaps:?}");
+        }
     }
 }
 
@@ -107,7 +151,7 @@ fn corners_tips_and_given_loads_are_known_as_well() {
             let problem =
                 Problem::new(&kernel, &interfaces, (punch, &[], None), scene.force.given().unwrap(), options.tolerance);
             let expected = formulas::anywhere(&problem);
-            let Some(coarse) = answer(&problem, &expected, 0.0) else {
+            let Some(coarse) = answer(&problem, problem.kernel, &expected, 0.0) else {
                 // nothing is unknown
                 assert!(kernel.contacts() == 1 && punch.loads().is_some(), "{number}, {punch:?}");
                 continue;
@@ -142,7 +186,7 @@ fn where_bodies_touch_there_is_no_gap_and_where_not_no_pressure() {
         let problem = Problem::new(&kernel, &[], (&scene.top, &[], None), scene.force.given().unwrap(), 1e-10);
         let patch = if geometry.is_axisymmetric() { Patch::Ring } else { Patch::Pair };
         let grid = Grid::new(vec![[0.0, 0.5]], [0.0, 20.0], &[], patch).unwrap();
-        let energy = Energy::new(&Compliances::new(&problem, &[]), &grid).unwrap();
+        let energy = Energy::new(&Compliances::new(&problem, problem.kernel, &[]), &grid).unwrap();
         let (contacts, elements) = (energy.contacts(), energy.elements());
         // in one interval each, and in parts that are others in each contact
         for parts in [false, true] {
@@ -182,7 +226,7 @@ fn where_nothing_is_even_it_is_as_good_as_it_says() {
             scene.force.given().unwrap(),
             options.tolerance,
         );
-        let coarse = answer(&problem, &formulas::anywhere(&problem), 0.0).unwrap();
+        let coarse = answer(&problem, problem.kernel, &formulas::anywhere(&problem), 0.0).unwrap();
         let coarse = coarse.into_solution(&problem, problem.total_force(), None);
         for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
             assert_eq!(coarse.intervals().len(), fine.intervals().len(), "{number}");
@@ -203,4 +247,12 @@ fn where_nothing_is_even_it_is_as_good_as_it_says() {
             assert!((coarse - fine).abs() < 0.01 * largest, "{number}: {coarse} {fine}");
         }
     }
+}
+
+#[test]
+fn places_between_punches_are_under_none_of_them() {
+    let one = |punch: usize, ends: [f64; 2]| Expected { contact: 0, punch, ends };
+    // the second punch touches in two intervals
+    let all = [one(0, [0.0, 1.0]), one(1, [2.0, 3.0]), one(1, [4.0, 5.0]), one(2, [7.0, 8.0])];
+    assert_eq!(between(&all), [1.5, 6.0]);
 }

@@ -12,6 +12,8 @@ use crate::numeric::quadrature::rule;
 /// Nodes per octave of wavenumbers, and three more for each element that the distance from the middle is long at most, up to this number.
 const LEAST: f64 = 24.0;
 const MOST: f64 = 240.0;
+/// So many times as many where layers lie on each other far away.
+const CLOSED: f64 = 4.0;
 
 /// Phases up to this many times the number of nodes are told from each other.
 const TOLD: f64 = 2.0;
@@ -25,16 +27,22 @@ pub(super) struct Waves {
     most: usize,
     /// How far apart elements are, or an element and the mirror image of another.
     span: f64,
+    /// Whether elements do nothing to each other that are too far apart for the nodes. Where layers lie on each other far away, elements there are too far from their mirror images.
+    is_windowed: bool,
 }
 
 impl Waves {
-    pub(super) fn new(grid: &Grid) -> Self {
+    pub(super) fn new(kernel: &Compliances, grid: &Grid) -> Self {
         let widths: Vec<f64> = grid.edges().windows(2).map(|pair| pair[1] - pair[0]).collect();
         let shortest = widths.iter().fold(f64::INFINITY, |shortest: f64, width| shortest.min(*width));
         let reach = |pair: &[f64]| grid.distance(pair[1]).max(grid.distance(pair[0]));
         let fineness = grid.edges().windows(2).map(|pair| reach(pair) / (pair[1] - pair[0])).fold(0.0, f64::max);
-        let is_even = grid.patch() != Patch::Strip;
-        let [least, most] = if is_even { [LEAST + (3.0 * fineness).min(MOST); 2] } else { [LEAST, LEAST + MOST] };
+        let is_windowed = grid.patch() == Patch::Strip || grid.patch() == Patch::Pair && kernel.has_openings();
+        let [least, most] = match is_windowed {
+            true if kernel.has_openings() => [LEAST, LEAST + CLOSED * MOST],
+            true => [LEAST, LEAST + MOST],
+            false => [LEAST + (3.0 * fineness).min(MOST); 2],
+        };
         let longest = grid.edges()[0].abs().max(grid.edges()[widths.len()]);
         Self {
             // waves twenty times as long as the grid, and twelfths of the shortest element
@@ -43,6 +51,7 @@ impl Waves {
             least,
             most: most as usize,
             span: grid.edges()[widths.len()] + longest,
+            is_windowed,
         }
     }
 
@@ -50,11 +59,13 @@ impl Waves {
     pub(super) fn octave(&self, grid: &Grid, [from, to]: [f64; 2]) -> Octave {
         let (zeta, widths): (Vec<f64>, Vec<f64>) = rule(self.nodes(to)).on(from, to).unzip();
         let widths = widths.iter().zip(&zeta).map(|(w, zeta)| w / grid.patch().over_waves(*zeta)).collect();
-        let reach = if grid.patch() == Patch::Strip { TOLD * self.most as f64 / to } else { f64::INFINITY };
+        let reach = if self.is_windowed { TOLD * self.most as f64 / to } else { f64::INFINITY };
+        // a mirror image is twice as far away
+        let within = if grid.patch() == Patch::Pair { 0.5 * reach } else { reach };
         let mut windows: Vec<Range<usize>> = Vec::new();
         for e in 0..grid.elements() {
             match windows.last_mut() {
-                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= reach => last.end = e + 1,
+                Some(last) if grid.edges()[e + 1] - grid.edges()[last.start] <= within => last.end = e + 1,
                 _ => windows.push(e..e + 1),
             }
         }
@@ -151,9 +162,9 @@ impl Octave {
         transforms
     }
 
-    /// Adds transformsᵀ diag(weights) transforms; if not all elements feel each other, times a window of their distance that is positive definite, so that
-    /// the sum remains so.
-    pub(super) fn add_gram(&self, transforms: &Mat<f64>, weights: &[f64], sum: &mut Mat<f64>) {
+    /// Adds transformsᵀ diag(weights) transforms; if not all elements feel each other, times a window of their distance and, where an element has a mirror image, of the distance to this, by its
+    /// part `mirrored`: 0 without mirror images, 1 of what is even and −1 of what is odd. The window is positive definite, so that the sum remains so.
+    pub(super) fn add_gram(&self, transforms: &Mat<f64>, weights: &[f64], mirrored: f64, sum: &mut Mat<f64>) {
         if weights.iter().all(|weight| *weight == 0.0) {
             return;
         }
@@ -167,13 +178,20 @@ impl Octave {
         for (number, own) in self.windows.iter().enumerate() {
             let is_near = |other: &&Range<usize>| self.middles[other.start] - self.middles[own.end - 1] < self.reach;
             for other in self.windows[number..].iter().take_while(is_near) {
+                let is_same = own == other;
                 let left = transforms.subcols(own.start, own.len());
                 let both = left.transpose() * weighted.subcols(other.start, other.len());
                 for (l, f) in other.clone().enumerate() {
                     for (k, e) in own.clone().enumerate() {
-                        let value = parzen((self.middles[f] - self.middles[e]) / self.reach) * both[(k, l)];
+                        let [own, other] = [self.middles[e], self.middles[f]];
+                        let window = |distance: f64| parzen(distance / self.reach);
+                        let window = match mirrored {
+                            0.0 => window(other - own),
+                            part => 0.5 * (window(other - own) + part * window(other + own)),
+                        };
+                        let value = window * both[(k, l)];
                         sum[(e, f)] += value;
-                        if own != other {
+                        if !is_same {
                             sum[(f, e)] += value;
                         }
                     }

@@ -4,14 +4,17 @@
 //! 2. Where the coarse quadratic programme sees contacts. It is asked once, and has one solution whatever the start. Where the force is to be found it is not known
 //!    to the programme: where contacts are under the force that is expected.
 //! 3. The pressures of the fine quadratic programme are the answer, of low accuracy and with a warning.
+//!
+//! Layers that weights press together begin closed, with an opening where they would pull most; 2 and 3 follow for contacts and openings together.
 use crate::contact::answer::Answer;
 use crate::contact::error::{ContactError, NoSolution};
 use crate::contact::intervals::{self, Intervals, Refused};
-use crate::contact::problem::Problem;
 use crate::contact::problem::accuracy::COARSE;
 use crate::contact::problem::iteration::Work;
+use crate::contact::problem::{Expected, Problem};
 use crate::contact::programme;
 use crate::contact::starts::formulas;
+use crate::kernel::Kernel;
 use crate::solution::{Contact, Interval};
 
 /// Presses punches or loads by Newton's method, from where contacts were found nearly, or where formulas expect them, or where the coarse programme sees them.
@@ -32,7 +35,7 @@ pub(crate) fn solve_in_order(
     if solved.is_none() {
         let second = match problem.prescribed.is_empty() {
             false => under_expected_force(problem),
-            true => programme::touching(problem, &expected, refused.far)
+            true => programme::touching(problem, problem.kernel, &expected, refused.far)
                 .and_then(|touching| intervals::of_formulas(problem, &touching)),
         };
         solved = second.and_then(|list| solve(list, refused));
@@ -52,8 +55,25 @@ pub(crate) fn of_low_accuracy(
 ) -> Result<Answer, ContactError> {
     let expected = formulas::anywhere(problem);
     let is_given = problem.prescribed.is_empty();
-    let answer = is_given.then(|| programme::answer(problem, &expected, refused.far)).flatten();
+    let answer = is_given.then(|| programme::answer(problem, problem.kernel, &expected, refused.far)).flatten();
     answer.ok_or(error).and_then(|answer| on_punches(problem, answer))
+}
+
+/// The answer from where the quadratic programme sees contacts and openings on a kernel of laminates, under the force that is given or expected; or, if the force is given, the answer of the
+/// programme itself.
+pub(crate) fn of_programme(
+    problem: &Problem,
+    laminates: &Kernel,
+    expected: &[Expected],
+    refused: &mut Refused,
+) -> Option<Answer> {
+    let mut work = Work::at_most(problem.operations);
+    let touching = programme::touching(problem, laminates, expected, refused.far);
+    let start = touching.and_then(|touching| intervals::of_formulas(problem, &touching));
+    let answer = start.and_then(|start| intervals::solve(problem, start, refused, &mut work));
+    let is_given = problem.prescribed.is_empty();
+    let of_low_accuracy = || is_given.then(|| programme::answer(problem, laminates, expected, refused.far)).flatten();
+    answer.or_else(of_low_accuracy).and_then(|answer| on_punches(problem, answer).ok())
 }
 
 /// Where contacts are under the force that is expected to bring about what is prescribed: below the punch, as much longer or shorter as the contact of the punch is to be.
