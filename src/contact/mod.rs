@@ -14,6 +14,7 @@ pub(crate) mod starts;
 mod thin;
 
 use std::borrow::Cow;
+use std::cell::LazyCell;
 
 use crate::kernel::Kernel;
 use crate::numeric::waves::Waves;
@@ -30,9 +31,9 @@ use prescribed::Drive;
 use problem::iteration::Work;
 use problem::{Expected, Prescribed, Problem};
 use starts::formulas;
-use starts::order::{of_low_accuracy, of_programme, solve_in_order};
+use starts::order::{of_low_accuracy, solve_from, solve_in_order};
 
-/// Of the work for one answer, what goes into openings at most: with twice as much, scenes that are not solved take twice the time.
+/// Of the work for one answer, what goes into openings at most from the closed state: with twice as much, scenes that are not solved take twice the time.
 const OPENINGS: f64 = 0.25;
 
 /// What is asked of the solver: everything but the force.
@@ -76,7 +77,8 @@ fn solve(problem: &Problem) -> Result<Answer, ContactError> {
         true => thin::solve(problem, &mut refused),
         false => solve_in_order(problem, None, &mut refused),
     };
-    answer.or_else(|error| of_low_accuracy(problem, &refused, error))
+    let expected = || formulas::anywhere(problem);
+    answer.or_else(|error| of_low_accuracy(problem, (&expected(), || Some(problem.kernel)), &refused, error))
 }
 
 /// Presses on layers that weights press together, and that come apart in places: from the solution while all is closed, if there is one, and from where the layers would pull then, or
@@ -103,17 +105,19 @@ pub(crate) fn open(
         ends: ends.map(|x| x / own.length() - problem.origin),
     };
     let expected: Vec<Expected> = expected.into_iter().chain(openings.iter().map(opening)).collect();
-    let (mut refused, mut work) = (Refused::default(), Work::at_most(OPENINGS * problem.operations));
     let start = closed.and_then(|_| intervals::of_formulas(&problem, &expected));
-    let answer = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
-    let answer = answer.or_else(|| {
+    let laminates = LazyCell::new(|| {
         let laminates = asked.laminates?()?;
         let asked = Asked { kernel: &laminates, ..*asked };
-        let laminates = asked.kernel_with_punch().measured_in(own.length());
-        of_programme(&problem, &laminates, &expected, &mut refused)
+        Some(asked.kernel_with_punch().measured_in(own.length()))
     });
-    let unsolved = || drive.unmet(refused.reason.unwrap_or_else(|| NoSolution::NotConverged.into()));
-    Ok(answer.ok_or_else(unsolved)?.into_solution(&problem, force, Some(asked.stack)))
+    let coarse = (&expected[..], || laminates.as_ref());
+    let (mut refused, mut work) = (Refused::default(), Work::at_most(OPENINGS * problem.operations));
+    let first = start.and_then(|start| intervals::solve(&problem, start, &mut refused, &mut work));
+    let answer = first.map_or_else(|| solve_from(&problem, None, coarse, &mut refused), Ok);
+    let answer = answer.or_else(|error| of_low_accuracy(&problem, coarse, &refused, error));
+    let answer = answer.map_err(|error| drive.unmet(error))?;
+    Ok(answer.into_solution(&problem, force, Some(asked.stack)))
 }
 
 /// The contact equations of a solution in words, see [`intervals::ledger`].

@@ -16,6 +16,8 @@ const TABLE_ENDS: f64 = 6.0;
 const ROWS: usize = 16;
 /// Punches at most.
 const MOST: usize = 4;
+/// Gaps are no steeper than this, above which linear elasticity is an approximation only.
+const STEEPEST: f64 = 0.3;
 /// Of rollers with a smaller number for their size the place where the contact ends is prescribed.
 const HELD: f64 = 0.25;
 
@@ -46,11 +48,8 @@ fn kinds(ranges: &Ranges) -> impl Strategy<Value = Kinds> + use<> {
 /// [`Error::Value`] or [`Error::Layer`] if a number is no longer finite in the units of the ranges.
 pub fn scene_of_any_kind(ranges: &Ranges, seed: u64, number: u64) -> Result<Scene, Error> {
     let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
-    let items = kinds.items(&scenario, ranges.units.stress)?;
-    let pressure_on_top = kinds.pressure_on_top(&scenario, &items);
-    let mut scene = Scene::new(scenario.plane, kinds.top(&scenario)?, scenario.force, items);
-    scene.pressure_on_top = pressure_on_top;
-    Ok(scene)
+    let width = contact_width(&scenario, scenario.radius);
+    kinds.scene(&scenario, (kinds.top(&scenario)?, scenario.force), width, ranges.units.stress)
 }
 
 /// One of the scenes of all kinds, with one to four punches of other kinds in place of what presses there: the same seed and number give the same scene.
@@ -61,13 +60,12 @@ pub fn scene_with_punches(ranges: &Ranges, seed: u64, number: u64) -> Result<Sce
     let numbers = prop::array::uniform3(0.0..=1.0f64);
     let all = prop::collection::vec((0..6usize, 0..3usize, numbers), 1..=MOST);
     // the stack is the one of the scene of this number
-    let (scenario, drawn) = drawn(&(scenes(ranges), all), seed, number);
-    let scene = scene_of_any_kind(ranges, seed, number)?;
+    let (scenario, kinds) = drawn(&(scenes(ranges), kinds(ranges)), seed, number);
+    let (_, drawn) = drawn(&(scenes(ranges), all), seed, number);
     let punches = punches(&scenario, &drawn)?;
-    let force = punches.pressed_by();
-    let mut with_punches = Scene::new(scenario.plane, Top::from(punches), force, scene.stack);
-    with_punches.pressure_on_top = scene.pressure_on_top;
-    Ok(with_punches)
+    let (force, width) = (punches.pressed_by(), contact_width(&scenario, scenario.radius));
+    let span = punches.parts().fold(width, |span, (pressed, _)| span.max(pressed.at()));
+    kinds.scene(&scenario, (Top::from(punches), force), span, ranges.units.stress)
 }
 
 /// The same scene about an axis, with several loads about axes of their own or, where layers come apart, the last one as a ring, and layers and a base of isotropic
@@ -104,6 +102,21 @@ pub fn about_axis(mut scene: Scene) -> Scene {
 }
 
 impl Kinds {
+    /// What presses on the layers as far out as a distance.
+    fn scene(
+        &self,
+        scenario: &Scenario,
+        (top, force): (Top, impl Into<Force>),
+        span: f64,
+        stress: f64,
+    ) -> Result<Scene, Error> {
+        let items = self.items(scenario, span, stress)?;
+        let pressure_on_top = self.pressure_on_top(scenario, &items);
+        let mut scene = Scene::new(scenario.plane, top, force, items);
+        scene.pressure_on_top = pressure_on_top;
+        Ok(scene)
+    }
+
     /// A punch of about the curvature of the scenario's, over the contact that this has on a half-plane, or loads.
     fn top(&self, scenario: &Scenario) -> Result<Top, ValueError> {
         let (radius, share) = (scenario.radius, self.share);
@@ -157,8 +170,8 @@ impl Kinds {
         }
     }
 
-    /// The items of the stack, with this unit of stress.
-    fn items(&self, scenario: &Scenario, stress: f64) -> Result<Vec<Item>, Error> {
+    /// The items of the stack, with this unit of stress. Gaps are no steeper than small slopes allow, parabolic ones as far out as loads press: layers would roll on these, or bend into them, by large angles.
+    fn items(&self, scenario: &Scenario, span: f64, stress: f64) -> Result<Vec<Item>, Error> {
         let mut items = scenario.items()?;
         let plies = scenario.layers.iter().zip(&self.layers);
         for (item, (ply, (kind, power))) in items.iter_mut().step_by(2).zip(plies) {
@@ -176,10 +189,14 @@ impl Kinds {
                 (Item::Bonded, 1) => Item::Spring(Spring::new(stiffness(normal), None)?),
                 (Item::Bonded, 2) => Item::Spring(Spring::new(stiffness(normal), Some(stiffness(tangential)))?),
                 // apart from the start
-                (Item::Receding, 0) => Item::RecedingGap(Punch::parabola(scenario.radius * 10f64.powf(*normal))?),
+                (Item::Receding, 0) => {
+                    let radius = (scenario.radius * 10f64.powf(*normal)).max(span / STEEPEST);
+                    Item::RecedingGap(Punch::parabola(radius)?)
+                }
                 (Item::Receding, 1) => {
                     let half_width = scenario.thickness() * 10f64.powf(tangential / 3.0);
-                    Item::RecedingGap(Punch::dent(half_width * half_width / scenario.radius, half_width)?)
+                    let depth = (half_width * half_width / scenario.radius).min(STEEPEST * half_width);
+                    Item::RecedingGap(Punch::dent(depth, half_width)?)
                 }
                 _ => continue,
             };

@@ -29,13 +29,27 @@ pub(crate) fn solve_in_order(
     let expected = formulas::anywhere(problem);
     let first = near.and_then(|contacts| intervals::of_contacts(problem, contacts));
     let first = first.or_else(|| intervals::of_formulas(problem, &expected));
+    solve_from(problem, first, (&expected, || Some(problem.kernel)), refused)
+}
+
+/// The same from a first list, if there is one; the programme is asked from where contacts and openings are expected, on the kernel in which all layers that may come apart are laminates of their own.
+///
+/// # Errors
+/// [`NoSolution`], with the reason if one is known.
+pub(crate) fn solve_from<'k>(
+    problem: &Problem,
+    first: Option<Intervals>,
+    (expected, laminates): (&[Expected], impl Fn() -> Option<&'k Kernel>),
+    refused: &mut Refused,
+) -> Result<Answer, ContactError> {
     let mut work = Work::at_most(problem.operations);
     let mut solve = |list: Intervals, refused: &mut Refused| intervals::solve(problem, list, refused, &mut work);
     let mut solved = first.and_then(|list| solve(list, refused));
     if solved.is_none() {
-        let second = match problem.prescribed.is_empty() {
+        let second = match problem.prescribed.is_empty() || problem.kernel.has_openings() {
             false => under_expected_force(problem),
-            true => programme::touching(problem, problem.kernel, &expected, refused.far)
+            true => laminates()
+                .and_then(|laminates| programme::touching(problem, laminates, expected, refused.far))
                 .and_then(|touching| intervals::of_formulas(problem, &touching)),
         };
         solved = second.and_then(|list| solve(list, refused));
@@ -48,32 +62,15 @@ pub(crate) fn solve_in_order(
 ///
 /// # Errors
 /// The error of Newton's method where the programme has no solution, or one with an error that is too large.
-pub(crate) fn of_low_accuracy(
+pub(crate) fn of_low_accuracy<'k>(
     problem: &Problem,
+    (expected, laminates): (&[Expected], impl Fn() -> Option<&'k Kernel>),
     refused: &Refused,
     error: ContactError,
 ) -> Result<Answer, ContactError> {
-    let expected = formulas::anywhere(problem);
-    let is_given = problem.prescribed.is_empty();
-    let answer = is_given.then(|| programme::answer(problem, problem.kernel, &expected, refused.far)).flatten();
+    let laminates = if problem.prescribed.is_empty() { laminates() } else { None };
+    let answer = laminates.and_then(|laminates| programme::answer(problem, laminates, expected, refused.far));
     answer.ok_or(error).and_then(|answer| on_punches(problem, answer))
-}
-
-/// The answer from where the quadratic programme sees contacts and openings on a kernel of laminates, under the force that is given or expected; or, if the force is given, the answer of the
-/// programme itself.
-pub(crate) fn of_programme(
-    problem: &Problem,
-    laminates: &Kernel,
-    expected: &[Expected],
-    refused: &mut Refused,
-) -> Option<Answer> {
-    let mut work = Work::at_most(problem.operations);
-    let touching = programme::touching(problem, laminates, expected, refused.far);
-    let start = touching.and_then(|touching| intervals::of_formulas(problem, &touching));
-    let answer = start.and_then(|start| intervals::solve(problem, start, refused, &mut work));
-    let is_given = problem.prescribed.is_empty();
-    let of_low_accuracy = || is_given.then(|| programme::answer(problem, laminates, expected, refused.far)).flatten();
-    answer.or_else(of_low_accuracy).and_then(|answer| on_punches(problem, answer).ok())
 }
 
 /// Where contacts are under the force that is expected to bring about what is prescribed: below the punch, as much longer or shorter as the contact of the punch is to be.
@@ -81,7 +78,9 @@ fn under_expected_force(problem: &Problem) -> Option<Intervals> {
     let given = Problem { prescribed: Vec::new(), ..problem.on(problem.kernel, problem.interfaces, COARSE) };
     let mut refused = Refused::default();
     let answer = solve_in_order(&given, None, &mut refused);
-    let mut contacts = answer.or_else(|error| of_low_accuracy(&given, &refused, error)).ok()?.contacts;
+    let of_low_accuracy =
+        |error| of_low_accuracy(&given, (&formulas::anywhere(&given), || Some(given.kernel)), &refused, error);
+    let mut contacts = answer.or_else(of_low_accuracy).ok()?.contacts;
     if let Some(half) = problem.prescribed_end().filter(|_| problem.is_even()) {
         let found = contacts.first()?.half_length()?;
         for contact in &mut contacts {
