@@ -182,6 +182,7 @@ impl Kinds {
             };
         }
         for (item, (kind, normal, tangential)) in items.iter_mut().skip(1).step_by(2).zip(&self.joints) {
+            let parabola = |radius: f64| Punch::parabola(radius.max(span / STEEPEST));
             // per thickness and modulus of the whole
             let stiffness = |power: &f64| stress * 10f64.powf(*power) / scenario.thickness();
             *item = match (&item, kind) {
@@ -189,10 +190,7 @@ impl Kinds {
                 (Item::Bonded, 1) => Item::Spring(Spring::new(stiffness(normal), None)?),
                 (Item::Bonded, 2) => Item::Spring(Spring::new(stiffness(normal), Some(stiffness(tangential)))?),
                 // apart from the start
-                (Item::Receding, 0) => {
-                    let radius = (scenario.radius * 10f64.powf(*normal)).max(span / STEEPEST);
-                    Item::RecedingGap(Punch::parabola(radius)?)
-                }
+                (Item::Receding, 0) => Item::RecedingGap(parabola(scenario.radius * 10f64.powf(*normal))?),
                 (Item::Receding, 1) => {
                     let half_width = scenario.thickness() * 10f64.powf(tangential / 3.0);
                     let depth = (half_width * half_width / scenario.radius).min(STEEPEST * half_width);

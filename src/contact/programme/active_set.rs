@@ -68,7 +68,7 @@ impl<'a> Programme<'a> {
                 continue;
             }
             let over = |e: usize| pressures[e] - self.energy.apart[*contact][e];
-            // those that did not touch before have none
+            // elements that did not touch before have no pressure
             let pressed = carrying.clone().filter(|e| over(*e) != 0.0).max_by(|a, b| over(*a).total_cmp(&over(*b)));
             if let Some(e) = pressed.or_else(|| carrying.next()) {
                 touching[e] = true;

@@ -22,7 +22,7 @@ pub(super) struct Equilibrium<'a> {
     energy: &'a Energy,
     /// The elements of each contact that touch.
     elements: Elements<usize>,
-    /// The pressures on the others, none on those that touch.
+    /// The pressures on all other elements; none on elements that touch.
     apart: Elements<f64>,
     /// What these and the punch do to the gaps of each contact, and the magnitudes of all that this is the sum of.
     linear: Elements<f64>,
