@@ -36,7 +36,7 @@ impl<'a> Programme<'a> {
         }
         let (mut fewest, mut chances, mut work) = (usize::MAX, PATIENCE, 0.0);
         // each step costs the cube of the number of elements
-        while work < 2e10 {
+        while work < 5e9 {
             let number = |own: &Vec<bool>| own.iter().filter(|touches| **touches).count() as f64;
             work += touching.iter().map(|own| number(own).powi(3)).sum::<f64>();
             let state = Equilibrium::new(self.energy, &touching).solve()?;

@@ -19,7 +19,7 @@ use super::{Cycle, FINE, LEAST_FORCE, UNRESOLVED, cycles, touching_on};
 pub(crate) fn answer(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64) -> Option<Answer> {
     let all = cycles(problem, kernel, expected, far, FINE);
     let [before, last] = &all[..] else { return None };
-    let touching = touching_on(problem, expected, last);
+    let touching = touching_on(problem, last);
     let found = |(i, contact): (usize, usize)| found(problem, contact, &touching, [before, last], i);
     let (opened, others): (Vec<_>, Vec<_>) =
         problem.unknown().enumerate().partition(|(_, contact)| problem.is_opened(*contact));
@@ -64,7 +64,7 @@ fn found(
     }
     let (side, is_even) = (&problem.sides[contact], problem.is_even());
     let parts = parts(problem, contact, touching, last, i)?;
-    if !is_even && find_no_room(problem, contact, &parts) {
+    if !is_even && find_no_room(problem, contact, &parts, &last.between) {
         return None;
     }
     let is_open = is_even && parts[0].0.left > 0.0;
@@ -106,11 +106,12 @@ fn found(
 }
 
 /// Whether intervals may have grown to the edge of a punch, or together under two punches, within their errors.
-fn find_no_room(problem: &Problem, contact: usize, parts: &[(Interval, usize)]) -> bool {
+fn find_no_room(problem: &Problem, contact: usize, parts: &[(Interval, usize)], between: &[f64]) -> bool {
     let outgrows = |(part, punch): &(Interval, usize)| {
         let [left, right] = problem.sides[contact].ends_of(*punch);
         let is_beyond = part.left - part.left_error <= left || part.right + part.right_error >= right;
-        is_beyond && problem.corner(contact, *punch, 1.0).is_none()
+        let is_cut_off = contact == 0 && (between.contains(&part.left) || between.contains(&part.right));
+        is_cut_off || is_beyond && problem.corner(contact, *punch, 1.0).is_none()
     };
     let meet = |pair: &[(Interval, usize)]| {
         let [(left, first), (right, second)] = [pair[0], pair[1]];

@@ -21,8 +21,9 @@ pub(super) struct Energy {
     pub(super) unit: Vec<Mat<f64>>,
     /// C of each laminate between contacts.
     pub(super) coupling: Vec<Mat<f64>>,
-    /// b of each contact.
+    /// b of each contact, and without punches and gaps.
     pub(super) linear: Vec<Vec<f64>>,
+    of_pressures: Vec<Vec<f64>>,
     /// Resultant of each element's unit pressure.
     pub(super) resultants: Vec<f64>,
     /// The pressures on elements that do not touch: less than the pressure of weights where these press, which is none then.
@@ -47,10 +48,11 @@ impl Energy {
             unit: vec![Mat::zeros(elements, elements); contacts],
             coupling: vec![Mat::zeros(elements, elements); contacts - 1],
             linear: vec![vec![0.0; elements]; contacts],
+            of_pressures: Vec::new(),
             resultants: (0..elements).map(|e| grid.carried(e)[0]).collect(),
             apart: (0..contacts).map(|i| kernel.apart(i, grid)).collect(),
-            inadmissible: vec![vec![false; elements]; contacts],
-            constraints: (0..contacts).flat_map(|i| kernel.constraints(i, grid)).collect(),
+            inadmissible: Vec::new(),
+            constraints: Vec::new(),
             turning: (grid.patch() == Patch::Strip).then(|| Turning {
                 moment: kernel.moment(),
                 linear: vec![vec![0.0; elements]; contacts],
@@ -65,7 +67,8 @@ impl Energy {
         energy.add_half_planes(&least, grid);
         energy.add_waves(kernel, &least, grid, &waves);
         energy.add_carried(kernel, grid);
-        energy.add_punches(kernel, grid);
+        energy.of_pressures.clone_from(&energy.linear);
+        energy.press(kernel, grid);
         Some(energy)
     }
 
@@ -223,7 +226,11 @@ impl Energy {
         }
     }
 
-    fn add_punches(&mut self, kernel: &Compliances, grid: &Grid) {
+    /// Puts punches and gaps in place of the ones before.
+    pub(super) fn press(&mut self, kernel: &Compliances, grid: &Grid) {
+        self.constraints = (0..self.contacts()).flat_map(|i| kernel.constraints(i, grid)).collect();
+        self.inadmissible = vec![vec![false; self.elements()]; self.contacts()];
+        self.linear.clone_from(&self.of_pressures);
         for i in 0..self.contacts() {
             for e in 0..self.elements() {
                 let [from, to] = grid.element(e);

@@ -65,6 +65,8 @@ struct Resolution {
 struct Cycle {
     grid: Grid,
     solved: Solved,
+    /// Between which places one of several punches may press and the next one may.
+    between: Vec<f64>,
     /// By how much the slope of the gap of each contact grows since bodies turn, and how much more under some punches.
     rotations: Vec<(f64, Vec<(usize, f64)>)>,
 }
@@ -73,15 +75,15 @@ struct Cycle {
 /// make a grid for, and the grid reaches well beyond the distance `far` from x = 0. In the kernel all layers that may come apart are laminates of their own. `None` if the programme has
 /// no solution in double precision.
 pub(super) fn touching(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64) -> Option<Vec<Expected>> {
-    Some(touching_on(problem, expected, cycles(problem, kernel, expected, far, COARSE).last()?))
+    Some(touching_on(problem, cycles(problem, kernel, expected, far, COARSE).last()?))
 }
 
 /// The same on one grid; under several punches no interval goes on from one to the next.
-fn touching_on(problem: &Problem, expected: &[Expected], cycle: &Cycle) -> Vec<Expected> {
+fn touching_on(problem: &Problem, cycle: &Cycle) -> Vec<Expected> {
     let Cycle { grid, solved, .. } = cycle;
     let mut found = Vec::new();
     for (contact, listed) in problem.unknown().zip(&listed(problem, &solved.touching)) {
-        let between = if problem.groups(contact).len() > 1 { between(expected) } else { Vec::new() };
+        let between = if problem.groups(contact).len() > 1 { &cycle.between[..] } else { &[] };
         for [from, to] in parts(listed, grid) {
             let inside = between.iter().copied().filter(|x| from < *x && *x < to);
             let ends: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
@@ -134,16 +136,15 @@ fn first_grid(problem: &Problem, expected: &[Expected], far: f64) -> Option<Grid
 
 /// The last refinement cycles, two at most, with the finest grids.
 fn cycles(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64, resolution: Resolution) -> Vec<Cycle> {
-    let between = between(expected);
-    // a prescribed traction is no unknown of the programme
-    let kernel = &Compliances::new(problem, kernel, &between);
+    let mut between = between(expected);
     let mut cycles: Vec<Cycle> = Vec::new();
-    let Some(mut grid) = first_grid(problem, expected, far).filter(|_| kernel.contacts() > 0) else { return cycles };
+    // a prescribed traction is no unknown of the programme
+    let is_known = problem.unknown().next().is_none();
+    let Some(mut grid) = first_grid(problem, expected, far).filter(|_| !is_known) else { return cycles };
     let mut longer = 3;
     let most = grid.elements() + resolution.elements;
     // most grids are fine enough after a few
     for _ in 0..14 {
-        let Some(energy) = Energy::new(kernel, &grid) else { break };
         let start = match cycles.last() {
             Some(coarse) => grid.inherit(&coarse.grid, &coarse.solved.touching),
             None => {
@@ -151,27 +152,20 @@ fn cycles(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64, r
                 listed(problem, &within)
             }
         };
-        let Some(mut solved) = Programme::new(&energy).solve(start) else { break };
-        let recede = problem.unknown().map(|contact| !problem.is_opened(contact));
-        let all = recede.zip(solved.touching.iter_mut().zip(&solved.forces));
-        for (_, (touching, forces)) in all.filter(|(recedes, _)| *recedes) {
-            separate_where_unloaded(touching, forces);
-            if resolution.is_answer {
-                separate_where_grazing(touching, forces, &grid);
-            }
-        }
+        let Some(cycle) = Cycle::new((problem, kernel), &grid, start, &mut between, resolution) else { break };
+        let listed = listed(problem, &cycle.solved.touching);
         let mut around: Vec<(usize, f64)> =
-            listed(problem, &solved.touching).iter().flat_map(|listed| ends(listed, &grid, resolution.ends)).collect();
+            listed.iter().flat_map(|listed| ends(listed, &grid, resolution.ends)).collect();
         if resolution.is_answer {
-            let all = solved.touching.iter().zip(&solved.forces);
+            let all = cycle.solved.touching.iter().zip(&cycle.solved.forces);
             let dips = all.flat_map(|(touching, forces)| dips(touching, forces, &grid));
             around.extend(dips.map(|edge| (edge, resolution.ends * grid.distance(grid.edges()[edge]))));
         }
         // an interval of re-contact that reaches the end of the grid does not end
         let last = grid.elements() - 1;
         let reaches_end = |listed: &Vec<bool>| listed[last] || grid.patch() == Patch::Strip && listed[0];
-        let reaches_end = listed(problem, &solved.touching).iter().any(reaches_end);
-        cycles.push(Cycle { grid: grid.clone(), rotations: Programme::new(&energy).rotations(&solved), solved });
+        let reaches_end = listed.iter().any(reaches_end);
+        cycles.push(cycle);
         if cycles.len() > 2 {
             cycles.remove(0);
         }
@@ -183,6 +177,64 @@ fn cycles(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64, r
         }
     }
     cycles
+}
+
+impl Cycle {
+    /// On a grid, from a guess of which elements touch; moves the places between which one of several punches may press and the next one may away from contacts that end there.
+    fn new(
+        (problem, kernel): (&Problem, &Kernel),
+        grid: &Grid,
+        mut start: Vec<Vec<bool>>,
+        between: &mut [f64],
+        resolution: Resolution,
+    ) -> Option<Self> {
+        let mut energy = Energy::new(&Compliances::new(problem, kernel, between), grid)?;
+        let mut last: Option<Self> = None;
+        for _ in 0..5 {
+            let programme = Programme::new(&energy);
+            let Some(mut solved) = programme.solve(start) else { break };
+            let rotations = programme.rotations(&solved);
+            let recede = problem.unknown().map(|contact| !problem.is_opened(contact));
+            let all = recede.zip(solved.touching.iter_mut().zip(&solved.forces));
+            for (_, (touching, forces)) in all.filter(|(recedes, _)| *recedes) {
+                separate_where_unloaded(touching, forces);
+                if resolution.is_answer {
+                    separate_where_grazing(touching, forces, grid);
+                }
+            }
+            let cycle = Self { grid: grid.clone(), between: between.to_vec(), rotations, solved };
+            start = cycle.solved.touching.clone();
+            let gives_way = cycle.gives_way(problem, between);
+            last = Some(cycle);
+            if !gives_way {
+                break;
+            }
+            energy.press(&Compliances::new(problem, kernel, between), grid);
+        }
+        last
+    }
+
+    /// Moves each place between two punches where one of the contacts ends into the middle of the gap there; whether there were any.
+    fn gives_way(&self, problem: &Problem, between: &mut [f64]) -> bool {
+        if problem.groups(0).len() < 2 {
+            return false;
+        }
+        let touching = intervals(&self.solved.touching[0], &self.grid);
+        let mut moves = false;
+        for x in between {
+            let left = touching.iter().map(|own| own[1]).filter(|end| end <= x).fold(f64::NEG_INFINITY, f64::max);
+            let right = touching.iter().map(|own| own[0]).filter(|end| end >= x).fold(f64::INFINITY, f64::min);
+            if (left == *x) == (right == *x) {
+                continue;
+            }
+            let middle = 0.5 * (left + right);
+            let inside = self.grid.edges().iter().copied().filter(|edge| left < *edge && *edge < right);
+            let nearest = inside.min_by(|a, b| (a - middle).abs().total_cmp(&(b - middle).abs()));
+            moves |= nearest.is_some();
+            *x = nearest.unwrap_or(*x);
+        }
+        moves
+    }
 }
 
 /// Layers that lie on each other without a force: the sign of the pressure there is a rounding error, and they count as apart.

@@ -226,26 +226,40 @@ fn where_nothing_is_even_it_is_as_good_as_it_says() {
             scene.force.given().unwrap(),
             options.tolerance,
         );
-        let coarse = answer(&problem, problem.kernel, &formulas::anywhere(&problem), 0.0).unwrap();
-        let coarse = coarse.into_solution(&problem, problem.total_force(), None);
-        for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
-            assert_eq!(coarse.intervals().len(), fine.intervals().len(), "{number}");
-            for (coarse, fine) in coarse.intervals().iter().zip(fine.intervals()) {
-                let [left, right] = [coarse.left - fine.left, coarse.right - fine.right].map(f64::abs);
-                assert!(left <= coarse.left_error + fine.left_error, "{number}: {coarse:?} {fine:?}");
-                assert!(right <= coarse.right_error + fine.right_error, "{number}: {coarse:?} {fine:?}");
-                assert!((coarse.force / fine.force - 1.0).abs() < 0.01, "{number}: {coarse:?} {fine:?}");
-            }
+        let mut expected = formulas::anywhere(&problem);
+        let look = |expected: &[Expected]| {
+            let coarse = answer(&problem, problem.kernel, expected, 0.0).unwrap();
+            is_as_good_as_it_says(number, &coarse.into_solution(&problem, problem.total_force(), None), &fine);
+        };
+        look(&expected);
+        // from a place between two punches that is under the right one of them; under three of them exchanging elements may not end from there
+        if problem.groups(0).len() == 2 {
+            let [left, right] = expected[1].ends;
+            expected[0].ends[1] = left + 0.2 * (right - left);
+            look(&expected);
         }
-        for (coarse, fine) in coarse.punches().iter().zip(fine.punches()) {
-            assert!((coarse.force / fine.force - 1.0).abs() < 1e-9, "{number}: {coarse:?} {fine:?}");
-            assert!((coarse.tilt - fine.tilt).abs() <= 0.01 * fine.tilt.abs(), "{number}: {coarse:?} {fine:?}");
+    }
+}
+
+/// Ends of intervals agree within their errors, forces and angles to one per cent.
+fn is_as_good_as_it_says(number: u64, coarse: &Solution, fine: &Solution) {
+    for (coarse, fine) in coarse.contacts().iter().zip(fine.contacts()) {
+        assert_eq!(coarse.intervals().len(), fine.intervals().len(), "{number}");
+        for (coarse, fine) in coarse.intervals().iter().zip(fine.intervals()) {
+            let [left, right] = [coarse.left - fine.left, coarse.right - fine.right].map(f64::abs);
+            assert!(left <= coarse.left_error + fine.left_error, "{number}: {coarse:?} {fine:?}");
+            assert!(right <= coarse.right_error + fine.right_error, "{number}: {coarse:?} {fine:?}");
+            assert!((coarse.force / fine.force - 1.0).abs() < 0.01, "{number}: {coarse:?} {fine:?}");
         }
-        let largest = fine.rotations().iter().chain(fine.punches().iter().map(|own| &own.tilt));
-        let largest = largest.fold(0.0, |largest: f64, own| largest.max(own.abs()));
-        for (coarse, fine) in coarse.rotations().iter().zip(fine.rotations()) {
-            assert!((coarse - fine).abs() < 0.01 * largest, "{number}: {coarse} {fine}");
-        }
+    }
+    for (coarse, fine) in coarse.punches().iter().zip(fine.punches()) {
+        assert!((coarse.force / fine.force - 1.0).abs() < 1e-9, "{number}: {coarse:?} {fine:?}");
+        assert!((coarse.tilt - fine.tilt).abs() <= 0.01 * fine.tilt.abs(), "{number}: {coarse:?} {fine:?}");
+    }
+    let largest = fine.rotations().iter().chain(fine.punches().iter().map(|own| &own.tilt));
+    let largest = largest.fold(0.0, |largest: f64, own| largest.max(own.abs()));
+    for (coarse, fine) in coarse.rotations().iter().zip(fine.rotations()) {
+        assert!((coarse - fine).abs() < 0.01 * largest, "{number}: {coarse} {fine}");
     }
 }
 
