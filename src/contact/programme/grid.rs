@@ -112,15 +112,17 @@ impl Grid {
         self
     }
 
-    /// Halves the elements around some edges that are longer than is allowed there. Whether there were any.
+    /// Halves the elements around some edges that are longer than is allowed there, and quarters those next to these edges that are more than twice as long. Whether there were any.
     pub(super) fn refine(&mut self, around: &[(usize, f64)]) -> bool {
         let mut more: Vec<f64> = Vec::new();
         for e in 0..self.elements() {
             let [from, to] = self.element(e);
-            let is_near = |edge: usize| (edge.saturating_sub(UNRESOLVED)..edge + UNRESOLVED).contains(&e);
-            if around.iter().any(|(edge, longest)| is_near(*edge) && to - from > *longest) {
-                more.push(0.5 * (from + to));
-            }
+            let is_near = |edge: usize, by: usize| (edge.saturating_sub(by)..edge + by).contains(&e);
+            let is_long = |by: usize, times: f64| {
+                around.iter().any(|(edge, longest)| is_near(*edge, by) && to - from > times * longest)
+            };
+            let parts = if is_long(1, 2.0) { 4 } else { 1 + usize::from(is_long(UNRESOLVED, 1.0)) };
+            more.extend((1..parts).map(|k| from + (to - from) * k as f64 / parts as f64));
         }
         let found = !more.is_empty();
         self.edges.extend(more);
