@@ -24,7 +24,7 @@ pub(crate) fn solve(problem: &Problem, start: Intervals, refused: &mut Refused, 
         work.finish();
         refine(problem, level, true, work).map_err(|_| last)
     });
-    solved.map_err(|last| refused.reason = refused.reason.take().or_else(|| outgrown(problem, &last.0))).ok()
+    solved.map_err(|last| refused.reason = outgrown(problem, &last.0).or_else(|| refused.reason.take())).ok()
 }
 
 /// Why lists of intervals lead to no answer.
@@ -49,9 +49,9 @@ fn changed(
     let mut before: Vec<(Intervals, usize)> = Vec::new();
     for _ in 0..30 {
         support = support.held(problem);
-        // no list twice, but with more terms where something opens, for which there is no other start
+        // no list twice, but with more terms
         let is_known = |finer: usize| before.iter().any(|(list, terms)| *terms == finer && list.is_near(&support));
-        while support.opens() && is_known(finer) && may_grow(finer) {
+        while is_known(finer) && may_grow(finer) {
             finer *= 2;
         }
         if is_known(finer) {
