@@ -152,6 +152,27 @@ fn nowhere_are_stresses_larger_than_the_largest() {
     }
 }
 
+/// A line load has no length: stresses change over the distance from it, though layers are bonded to others that are much thicker.
+#[test]
+fn tensions_beside_a_line_load_are_found_in_a_thin_layer() {
+    let scene = Scene::from_ron(
+        "Scene(geometry: PlaneStrain, load: Line, force: 0.001, stack: [
+            Exponential(thickness: 1.3, shear_modulus: 60, poisson: 0.4, beta: -4.4), Bonded,
+            Homogeneous(thickness: 30, shear_modulus: 80, poisson: 0.1), Receding, HalfPlane(shear_modulus: 0.05, poisson: 0.3)])",
+    );
+    let (_, field) = solved(&scene.expect("legal"));
+    let Extremes { tension, bonds, .. } = field.extremes().expect("found");
+    let largest = |depth: f64, of: fn(&FieldPoint) -> f64| {
+        let points = (1..160).map(|k| Point { x: 0.05 * f64::from(k), depth, layer: Some(1) }).collect::<Vec<_>>();
+        field.points(&points).expect("there").iter().map(of).fold(0.0, f64::max)
+    };
+    let of_top = largest(0.0, |point| point.principal()[0]);
+    let of_bond = largest(1.3, |point| point.sigma_yy);
+    for (sampled, found) in [(of_top, value(tension)), (of_bond, value(bonds[0].tension))] {
+        assert!(sampled <= found * (1.0 + 2e-6) && found <= 1.01 * sampled, "{sampled:e} {found:e}");
+    }
+}
+
 /// Where a film far below a short contact lies in a long one, its tensions are small next to the largest pressure, and large next to its own.
 #[test]
 fn tensions_of_a_film_far_below_are_found() {

@@ -127,15 +127,13 @@ impl Pieces {
     fn of_layer(field: &Field, layer: usize, is_near: bool) -> Self {
         let placed = &field.layers[layer];
         let body = &field.bodies[placed.body];
-        let longest = field.longest();
-        // next to the end of a load that is longer than its body is thick stresses change over that thickness
-        let of_body = &field.layers[body.layers.clone()];
-        let thick =
-            of_body.iter().filter_map(|other| other.thickness).reduce(|sum, h| sum + h).unwrap_or(f64::INFINITY);
+        let (longest, bottom) = (field.longest(), placed.thickness.unwrap_or(f64::INFINITY));
         // cuts; and the ends of loads, and the loaded faces, with a length
         let (mut cuts, mut features, mut faces) = (Vec::new(), Vec::new(), Vec::new());
         for (side, face) in [Some(body.top), body.bottom].into_iter().flatten().enumerate() {
             let pressure = &field.pressures[body.contact + side];
+            // next to the end of a load that is longer than a layer is far from it stresses there change over that distance
+            let far = if side == 0 { placed.bottom() - face } else { face - placed.top };
             cuts.extend(pressure.sides());
             // a line load by itself has no length; the mirror images of the ends of an even pressure are ends, too
             let (mut shortest, images) =
@@ -145,7 +143,7 @@ impl Pieces {
                 let distances = others.map(|other| 0.5 * (end - other).abs()).filter(|distance| *distance > 0.0);
                 let length = distances.fold(field.length(body.contact + side), f64::min);
                 shortest = shortest.min(length);
-                features.push((*end, length.min(thick)));
+                features.push((*end, length.min(far)));
             }
             faces.push((face - placed.top, shortest));
         }
@@ -157,7 +155,6 @@ impl Pieces {
         let [from, first] = if field.is_even { [0.0; 2] } else { [-reach, f64::NEG_INFINITY] };
         let along = cut([from, reach], [first, f64::INFINITY], cuts, &features, [LONGEST[0], bending]);
         let deepest = placed.thickness.unwrap_or(DEEP * longest.max(placed.top));
-        let bottom = placed.thickness.unwrap_or(f64::INFINITY);
         Self { layer, intervals: [along, cut([0.0, deepest], [0.0, bottom], Vec::new(), &faces, [LONGEST[1], 0.0])] }
     }
 }
