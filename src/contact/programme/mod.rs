@@ -138,7 +138,7 @@ fn first_grid(problem: &Problem, expected: &[Expected], far: f64) -> Option<Grid
 fn cycles(problem: &Problem, kernel: &Kernel, expected: &[Expected], far: f64, resolution: Resolution) -> Vec<Cycle> {
     let mut between = between(expected);
     let mut cycles: Vec<Cycle> = Vec::new();
-    // a prescribed traction is no unknown of the programme
+    // a prescribed traction is no unknown of the quadratic programme
     let is_known = problem.unknown().next().is_none();
     let Some(mut grid) = first_grid(problem, expected, far).filter(|_| !is_known) else { return cycles };
     let mut longer = 3;

@@ -32,7 +32,7 @@ pub(crate) fn solve_in_order(
     solve_from(problem, first, (&expected, || Some(problem.kernel)), refused)
 }
 
-/// The same from a first list, if there is one; the programme is asked from where contacts and openings are expected, on the kernel in which all layers that may come apart are laminates of their own.
+/// The same from a first list, if there is one; the quadratic programme begins where contacts and openings are expected, on the kernel in which all layers that may come apart are laminates of their own.
 ///
 /// # Errors
 /// [`NoSolution`], with the reason if one is known.
