@@ -11,7 +11,7 @@ use num_complex::Complex64;
 
 use super::spheroid::{self, Spheroidal};
 use super::strip::TabulatedStrip;
-use super::transform::{Potentials, orders_up_to};
+use super::transform::{Potentials, combined};
 use crate::numeric::bessel::{self, Kind, Wanted};
 use crate::numeric::largest;
 use crate::numeric::quadrature::rule;
@@ -25,7 +25,7 @@ impl Strip {
     /// p̂ − p̂(0) of a series at some λa, accurate to rounding.
     pub(super) fn disc_series(&self, arguments: &[f64]) -> Vec<f64> {
         let count = arguments.len();
-        let orders = orders_up_to(largest(arguments.iter().copied())).min(2 * self.coefficients.len() + 1);
+        let orders = bessel::orders_up_to(largest(arguments.iter().copied())).min(2 * self.coefficients.len() + 1);
         let wanted = Wanted::ZERO_AND_ODD.of_kind(Kind::Spherical);
         let columns = wanted.below(orders);
         let mut table = vec![0.0; columns * count];
@@ -33,17 +33,17 @@ impl Strip {
             bessel::scaled_orders(orders, wanted, arguments, 1.0, count, &mut table);
         }
         let (square, weighted) = (self.extent * self.extent, self.weighted());
-        let of = |(i, z): (usize, &f64)| {
+        let of_orders = weighted.iter().enumerate().take(columns - 1).skip(1).map(|(m, c)| (m + 1, *c));
+        let sums = combined(&table, count, of_orders);
+        let of = |(z, sum): (&f64, f64)| {
             let first = self.first() / 3.0 * bessel::spherical_jinc_minus_one(*z);
-            let of_orders = weighted.iter().enumerate().take(columns - 1).skip(1);
-            let sum: f64 = of_orders.map(|(m, c)| c * table[(m + 1) * count + i]).sum();
             // (1 − cos z)/z² − ½ = ½ (sinc²(z/2) − 1)
             let half = bessel::sinc_minus_one(0.5 * z);
             let edge = self.even_and_odd_corners()[0] * bessel::sinc_minus_one(*z);
             let tip = 0.5 * self.tip * half * (half + 2.0);
             square * (first + if *z > 0.0 { sum / z } else { 0.0 } + edge + tip)
         };
-        arguments.iter().enumerate().map(of).collect()
+        arguments.iter().zip(sums).map(of).collect()
     }
 
     /// The coefficients of j_(2m+1)(λa)/λ in p̂/a.

@@ -12,12 +12,13 @@ use crate::solution::{Form, Strip};
 const SAMPLES: i32 = 41;
 const SAMPLED: f64 = std::f64::consts::SQRT_2;
 
+/// Wavenumbers at which Bessel functions are tabulated at once: the table stays in the cache of the processor, and of long waves it has few orders. No number depends on it
+/// but by rounding.
+const AT_ONCE: usize = 64;
+
 /// From this z (1 − |t|) on, the transform of a tip at t follows from an asymptotic series with this number of terms.
 const LONG: f64 = 40.0;
 const TERMS: u32 = 30;
-
-/// Bessel functions whose order is above z + BEYOND z^(1/3) + BEYOND are below rounding, by Airy's function at 15.
-const BEYOND: f64 = 12.0;
 
 /// G_n = (1/π) ∫ p̂ λⁿ e^(−λd + iλx) dλ at one point for n = −1, 0, 1, 2, eq. (25): real parts belong to cos λx, imaginary ones to sin λx.
 /// G_(−1), the integral of G_0 over the depth, lacks a constant that is infinite, eq. (26).
@@ -84,16 +85,20 @@ impl Strip {
         if self.tip_at != 0.0 {
             return self.transforms_with_tip(wavenumbers);
         }
+        wavenumbers.chunks(AT_ONCE).flat_map(|some| self.transforms_at_once(some)).collect()
+    }
+
+    /// The same at a few wavenumbers, of a pressure without a tip off the middle.
+    fn transforms_at_once(&self, wavenumbers: &[f64]) -> impl Iterator<Item = Transform> {
         let arguments: Vec<f64> = wavenumbers.iter().map(|wavenumber| wavenumber * self.extent).collect();
         let even = self.even_variations(&arguments);
         let is_even = self.skew.is_empty() && self.corners[0] == self.corners[1];
         let odd = if is_even { vec![[0.0; 2]; even.len()] } else { self.sines(&arguments) };
-        let of = |(even, [odd, variation]): (f64, [f64; 2])| Transform {
+        zip(even, odd).map(|(even, [odd, variation])| Transform {
             value: Complex64::new(self.long_waves() + even, odd),
             variation: Complex64::new(even, variation),
             ..Transform::default()
-        };
-        zip(even, odd).map(of).collect()
+        })
     }
 
     /// The same with a tip off the middle: by the terms of its series up to the orders whose Bessel functions are above rounding, or by its asymptotic series.
@@ -105,7 +110,7 @@ impl Strip {
         let plain = Self { tip: 0.0, tip_at: 0.0, ..self.clone() };
         let mut of_long = plain.transforms(&long).into_iter();
         let largest = short.iter().fold(0.0, |largest: f64, l| largest.max(l * self.extent));
-        let mut of_short = self.without_tip(orders_up_to(largest)).transforms(&short).into_iter();
+        let mut of_short = self.without_tip(bessel::orders_up_to(largest)).transforms(&short).into_iter();
         let (resultant, moment) = (self.resultant() - plain.resultant(), self.moment() - plain.moment());
         let of = |wavenumber: &f64| {
             if !is_long(wavenumber) {
@@ -144,26 +149,27 @@ impl Strip {
             Form::Series if self.is_round => self.disc_series(arguments),
             Form::Series => {
                 let (orders, bessel) = table(arguments, 2 * self.coefficients.len() + 1, self.tip != 0.0);
-                let of = |(i, z): (usize, &f64)| {
-                    self.series_variation(*z, |order| bessel[order * arguments.len() + i], orders)
-                };
-                arguments.iter().enumerate().map(of).collect()
+                let odd = || (3..orders).step_by(2);
+                let terms = zip(odd(), alternating(&self.coefficients).skip(1)).map(|(j, c)| (j, j as f64 * c));
+                let sums = combined(&bessel, arguments.len(), terms);
+                // ∫ J_0 from 0 to z is 2 Σ J_j over all odd j
+                let of_tip = odd().filter(|_| self.tip != 0.0).map(|j| (j, 2.0));
+                let of_tip = combined(&bessel, arguments.len(), of_tip);
+                let [first, second] = [1, 2].map(|order| &bessel[order * arguments.len()..]);
+                let all = zip(zip(arguments, zip(first, second)), zip(sums, of_tip));
+                all.map(|((z, (j1, j2)), sums)| self.series_variation(*z, [*j1, *j2], sums)).collect()
             }
         }
     }
 
-    /// p̂ − P of a series at z = λa, from Bessel functions of some orders.
-    fn series_variation(&self, z: f64, bessel: impl Fn(usize) -> f64, orders: usize) -> f64 {
-        let odd = (3..orders).step_by(2);
-        let terms = zip(odd.clone(), alternating(&self.coefficients).skip(1));
-        let sum: f64 = terms.map(|(j, c)| j as f64 * c * bessel(j)).sum();
+    /// p̂ − P of a series at z = λa, from J_1 and J_2, Σ j c_j J_j over the terms after the first one, and what a tip makes with J_3 and higher orders.
+    fn series_variation(&self, z: f64, [j1, j2]: [f64; 2], (sum, of_tip): (f64, f64)) -> f64 {
         // J_0 − 1 = (2 J_1/z − 1) − J_2
-        let jinc_minus_one = bessel::jinc_minus_one_from(z, bessel(1));
-        let corners = self.even_and_odd_corners()[0] * (jinc_minus_one - bessel(2));
-        // ∫ J_0 from 0 to z is 2 Σ J_j over all odd j
+        let jinc_minus_one = bessel::jinc_minus_one_from(z, j1);
+        let corners = self.even_and_odd_corners()[0] * (jinc_minus_one - j2);
         let tip = match self.tip {
             0.0 => 0.0,
-            tip if z < bessel::INTEGRAL_FROM => tip * (jinc_minus_one + 2.0 / z * odd.map(bessel).sum::<f64>()),
+            tip if z < bessel::INTEGRAL_FROM => tip * (jinc_minus_one + of_tip / z),
             tip => tip * (bessel::integral(z) / z - 1.0),
         };
         PI * self.extent * (0.5 * self.first() * jinc_minus_one + sum / z + corners + tip)
@@ -174,18 +180,28 @@ impl Strip {
     fn sines(&self, arguments: &[f64]) -> Vec<[f64; 2]> {
         let [_, corners] = self.even_and_odd_corners();
         let (orders, bessel) = table(arguments, 2 * self.skew.len() + 1, false);
-        let of = |(i, z): (usize, &f64)| {
-            let term = |(j, c): (usize, f64)| j as f64 * c * bessel[j * arguments.len() + i];
-            let terms = zip((2..orders).step_by(2), alternating(&self.skew)).map(term);
-            let sum = |from: usize| PI * self.extent / z * terms.clone().skip(from).sum::<f64>();
-            let first =
-                0.25 * PI * self.extent * z * self.skew.first().unwrap_or(&0.0) * bessel::of_order_minus_one(4, *z);
-            let (linear, at) = (PI * self.extent * corners, bessel[arguments.len() + i]);
-            let of_corners = linear * 0.5 * z * bessel::jinc_minus_one_from(*z, at);
-            [sum(0) + linear * at, first + sum(1) + of_corners]
+        let count = arguments.len();
+        let terms = zip((2..orders).step_by(2), alternating(&self.skew)).map(|(j, c)| (j, j as f64 * c));
+        let sums = combined(&bessel, count, terms.skip(1));
+        let (first, linear) = (self.skew.first().unwrap_or(&0.0), PI * self.extent * corners);
+        let of = |((z, sum), (j1, j2)): ((&f64, f64), (&f64, &f64))| {
+            let sum = PI * self.extent / z * sum;
+            let variation = 0.25 * PI * self.extent * z * first * bessel::of_order_minus_one(4, *z);
+            let of_corners = linear * 0.5 * z * bessel::jinc_minus_one_from(*z, *j1);
+            let value = PI * self.extent / z * 2.0 * first * j2;
+            [value + sum + linear * j1, variation + sum + of_corners]
         };
-        arguments.iter().enumerate().map(of).collect()
+        zip(zip(arguments, sums), zip(&bessel[count..], &bessel[2 * count..])).map(of).collect()
     }
+}
+
+/// Σ factor · J_order at each of some arguments, from a table of all orders.
+pub(super) fn combined(table: &[f64], arguments: usize, factors: impl Iterator<Item = (usize, f64)>) -> Vec<f64> {
+    let mut sums = vec![0.0; arguments];
+    for (order, factor) in factors {
+        sums.iter_mut().zip(&table[order * arguments..]).for_each(|(sum, value)| *sum += factor * value);
+    }
+    sums
 }
 
 /// The terms (−1)^m c_m of a series.
@@ -214,17 +230,12 @@ fn transform_of_tip(t: f64, z: f64) -> Complex64 {
     PI / z * sine * Complex64::cis(t * z) * (sine.recip() - rest)
 }
 
-/// The number of orders of Bessel functions that are above rounding up to z.
-pub(super) fn orders_up_to(z: f64) -> usize {
-    (z + BEYOND * (z.cbrt() + 1.0)) as usize + 1
-}
-
 /// The number of orders, from 0 on, of Bessel functions that are above rounding at these arguments, three at least, and their values; no more
 /// orders than the series has, unless there is a tip, whose series does not end.
 fn table(arguments: &[f64], of_series: usize, endless: bool) -> (usize, Vec<f64>) {
     let largest = largest(arguments.iter().copied());
     let largest = if endless { largest.min(bessel::INTEGRAL_FROM.max(of_series as f64)) } else { largest };
-    let enough = orders_up_to(largest);
+    let enough = bessel::orders_up_to(largest);
     let orders = if endless { enough } else { enough.min(of_series) }.max(3);
     let mut bessel = vec![0.0; orders * arguments.len()];
     bessel::table(orders, arguments, &mut bessel);

@@ -53,6 +53,9 @@ impl Kind {
     }
 }
 
+/// Functions whose order is above z + BEYOND z^(1/3) + BEYOND are below 1e-24, by Airy's function at 19: far below what rounding does to the others.
+const BEYOND: f64 = 15.0;
+
 /// Arguments below this differ from zero in J1 alone, which is then negligible as well.
 const TINY: f64 = 1e-290;
 /// Where the downward recurrence starts; J may grow by `exp(DEEPEST)` from there without overflow.
@@ -69,6 +72,11 @@ const DEEPEST: f64 = 690.0;
 pub fn table(orders: usize, arguments: &[f64], out: &mut [f64]) {
     assert_eq!(out.len(), orders * arguments.len(), "a Bessel table holds one value per order and argument");
     scaled_orders(orders, Wanted::ALL, arguments, 1.0, arguments.len(), out);
+}
+
+/// The number of orders that count at all arguments up to z.
+pub fn orders_up_to(z: f64) -> usize {
+    (z + BEYOND * (z.cbrt() + 1.0)) as usize + 1
 }
 
 /// As [`table`], of the orders below `orders` only those that are `wanted`, one after the other, into the first rows of a matrix with more rows:
