@@ -15,6 +15,8 @@ pub(crate) struct Samples {
     rows: usize,
     count: usize,
     pub(crate) values: Vec<f64>,
+    /// The columns that are zero, from left to right: nothing is multiplied by these.
+    zero: Vec<Range<usize>>,
     /// Where the storage goes afterwards.
     workspace: Option<Arc<Workspace>>,
 }
@@ -30,12 +32,13 @@ impl Drop for Samples {
 impl Samples {
     /// Columns to be overwritten, in storage of a workspace.
     pub(crate) fn new(rows: usize, columns: usize, workspace: &Arc<Workspace>) -> Self {
-        Self { rows, count: columns, values: workspace.take(rows * columns), workspace: Some(workspace.clone()) }
+        let (values, workspace) = (workspace.take(rows * columns), Some(workspace.clone()));
+        Self { rows, count: columns, values, zero: Vec::new(), workspace }
     }
 
     /// Columns of zeros.
     pub(crate) fn zeros(rows: usize, columns: usize) -> Self {
-        Self { rows, count: columns, values: vec![0.0; rows * columns], workspace: None }
+        Self { rows, count: columns, values: vec![0.0; rows * columns], zero: Vec::new(), workspace: None }
     }
 
     /// How many there are.
@@ -63,9 +66,48 @@ impl Samples {
         if one < other { [least, most] } else { [most, least] }
     }
 
-    /// All of them.
-    pub(crate) fn all(&self) -> ColumnRange<'_> {
-        self.part(0..self.count())
+    /// Makes some columns zero that stand behind all others that are.
+    pub(crate) fn clear(&mut self, columns: Range<usize>) {
+        if !columns.is_empty() {
+            self.values[columns.start * self.rows..columns.end * self.rows].fill(0.0);
+            self.zero.push(columns);
+        }
+    }
+
+    /// The columns that are zero in other samples become zero here.
+    pub(crate) fn clear_like(mut self, other: &Self) -> Self {
+        other.zero.iter().for_each(|columns| self.clear(columns.clone()));
+        self
+    }
+
+    /// The columns that are zero here and in other samples.
+    pub(crate) fn both_zero<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = Range<usize>> {
+        let common = |a: &Range<usize>, b: &Range<usize>| a.start.max(b.start)..a.end.min(b.end);
+        self.zero.iter().flat_map(move |own| other.zero.iter().map(move |there| common(own, there)))
+    }
+
+    /// The columns between the ones that are zero.
+    pub(crate) fn filled(&self) -> impl Iterator<Item = Range<usize>> + Clone {
+        let from = std::iter::once(0).chain(self.zero.iter().map(|columns| columns.end));
+        let to = self.zero.iter().map(|columns| columns.start).chain([self.count]);
+        from.zip(to).map(|(from, to)| from..to).filter(|columns| !columns.is_empty())
+    }
+
+    /// Σ factor · column over the first columns, as many as there are factors.
+    pub(crate) fn combine(&self, factors: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; self.rows];
+        for columns in self.filled() {
+            let columns = columns.start.min(factors.len())..columns.end.min(factors.len());
+            self.part(columns.clone()).add_combined(&factors[columns], &mut sum);
+        }
+        sum
+    }
+
+    /// Σ over the rows of each column times `rows`, which may be fewer than the columns have.
+    pub(crate) fn test(&self, rows: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.count];
+        self.filled().for_each(|columns| self.part(columns.clone()).add_tested(1.0, rows, &mut sums[columns]));
+        sums
     }
 
     /// Some of them.
@@ -98,13 +140,6 @@ impl<'a> ColumnRange<'a> {
             .subrows(rows.start, rows.len())
     }
 
-    /// Σ factor · column.
-    pub(crate) fn combine(self, factors: &[f64]) -> Vec<f64> {
-        let mut sum = vec![0.0; self.rows];
-        self.add_combined(factors, &mut sum);
-        sum
-    }
-
     /// Adds Σ factor · column.
     pub(crate) fn add_combined(self, factors: &[f64], sum: &mut [f64]) {
         if self.rows == 0 {
@@ -127,13 +162,6 @@ impl<'a> ColumnRange<'a> {
                 }
             },
         );
-    }
-
-    /// Σ over the rows of each column times `rows`, which may be fewer than the columns have.
-    pub(crate) fn test(self, rows: &[f64]) -> Vec<f64> {
-        let mut sums = vec![0.0; self.count];
-        self.add_tested(1.0, rows, &mut sums);
-        sums
     }
 
     /// Adds factor · Σ over the rows of each column times `rows`.
@@ -193,15 +221,18 @@ mod tests {
         for (rows, count) in [(0, 3), (1, 1), (7, 5), (16, 4), (37, 11)] {
             let mut columns = Samples::zeros(rows, count);
             columns.values.iter_mut().enumerate().for_each(|(k, value)| *value = (k as f64).sin());
-            let part = columns.part(0..count);
+            if count > 5 {
+                columns.clear(1..2);
+                columns.clear(3..5);
+            }
             let factors: Vec<f64> = (0..count).map(|m| (3.0 + m as f64).cos()).collect();
-            let sum = part.combine(&factors);
+            let sum = columns.combine(&factors);
             for (row, sum) in sum.iter().enumerate() {
                 let expected: f64 = (0..count).map(|m| factors[m] * columns.column(m)[row]).sum();
                 assert!((sum - expected).abs() < 1e-14);
             }
             let rows = &sum[..rows - rows / 3];
-            for (m, tested) in part.test(rows).iter().enumerate() {
+            for (m, tested) in columns.test(rows).iter().enumerate() {
                 let expected: f64 = columns.column(m).iter().zip(rows).map(|(value, row)| value * row).sum();
                 assert!((tested - expected).abs() < 1e-13);
             }

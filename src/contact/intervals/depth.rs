@@ -30,8 +30,8 @@ impl Equations<'_> {
             let counts: Vec<usize> = tips.iter().zip(columns.counts).map(more).collect();
             let with_tips = Columns::new(columns.intervals, &counts, self.moves);
             let (waves, long) = (with_tips.waves(&own.zeta, workspace), with_tips.long_waves(&own.zeta, workspace));
-            let mut tested = waves.all().test(&self.met_by_contacts(contact, [&own.all, &own.odd]));
-            let told = long.values.all().test(&self.met_by_contacts(contact, [&own.resultant, &own.moment]));
+            let mut tested = waves.test(&self.met_by_contacts(contact, [&own.all, &own.odd]));
+            let told = long.values.test(&self.met_by_contacts(contact, [&own.resultant, &own.moment]));
             long.places.iter().zip(told).for_each(|(column, wave)| tested[*column] += wave);
             for (number, (interval, tip)) in columns.intervals.iter().zip(&tips).enumerate().rev() {
                 let first = with_tips.first(number);

@@ -43,7 +43,7 @@ impl Equations<'_> {
             let sampled = self.sampled(number);
             for (set, amplitudes) in sets.iter().enumerate() {
                 let of = |((waves, long), amplitudes): ((&Samples, &Long), &Vec<f64>)| {
-                    let less = waves.part(0..amplitudes.len()).combine(amplitudes);
+                    let less = waves.combine(amplitudes);
                     let all = long.added_to(&less, amplitudes);
                     [less, all]
                 };
@@ -96,9 +96,9 @@ impl Equations<'_> {
         if !self.is_opened(contact) && !self.is_opened(other) {
             return None;
         }
-        let mut met = Samples::zeros(waves.rows(), waves.count());
+        let mut met = Samples::zeros(waves.rows(), waves.count()).clear_like(waves);
         let count = waves.rows() / parts;
-        for column in 0..waves.count() {
+        for column in waves.filled().flatten() {
             let told = long.places.iter().position(|place| *place == column).map(|told| long.values.column(told));
             for part in 0..parts {
                 let (from, sign) = self.shifted(contact, other, part);

@@ -63,7 +63,7 @@ impl Columns<'_> {
                         let factor = own.part * amplitudes[own.column];
                         pressed.iter_mut().zip(table.column(own.place)).for_each(|(sum, value)| *sum += factor * value);
                     }
-                    table.part(tested.clone()).test(&weights.weighted(&pressed))
+                    table.test(&weights.weighted(&pressed))
                 };
                 let [odd, even] = interval.has_orders();
                 let all = [(even, false), (odd, true)]
@@ -73,7 +73,7 @@ impl Columns<'_> {
                 }
                 continue;
             }
-            let products = product(table.part(tested), weights, table.all());
+            let products = product(table.part(tested), weights, table.part(0..table.count()));
             for (row, k, part) in tests.chain(mean) {
                 let factor = factor * part;
                 for own in pressing.iter().filter(|own| own.is_odd == (k % 2 == 1)) {

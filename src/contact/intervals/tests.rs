@@ -217,7 +217,8 @@ fn columns_are_transforms_of_pressures() {
             ContactInterval::anywhere(0, 1, [2.0, 3.1]),
         ],
     ] {
-        let counts = vec![5; intervals.len()];
+        // long waves have no part of the last terms
+        let counts = vec![40; intervals.len()];
         let columns = Columns::new(&intervals, &counts, intervals[0].parity == Parity::None);
         let zeta = [1e-4, 0.3, 2.0, 9.0];
         let mut waves = columns.waves(&zeta, &Arc::default());

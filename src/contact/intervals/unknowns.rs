@@ -110,8 +110,8 @@ impl Equations<'_> {
         let zeros: Vec<Vec<f64>> = self.columns.iter().map(|columns| vec![0.0; columns.rows()]).collect();
         let mut missed = vec![zeros; all.len()];
         self.responses(&sets, |[set, contact], _, sampled, response| {
-            let mut tested = sampled.waves[contact].all().test(response);
-            let whole = sampled.whole[contact].all().test(response);
+            let mut tested = sampled.waves[contact].test(response);
+            let whole = sampled.whole[contact].test(response);
             sampled.long[contact].places.iter().zip(whole).for_each(|(place, value)| tested[*place] = value);
             missed[set][contact].iter_mut().zip(tested).for_each(|(row, value)| *row -= value);
         });

@@ -10,7 +10,7 @@ use crate::contact::integrals::samples::Samples;
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::numeric::workspace::Workspace;
-use crate::numeric::{bessel, trigonometry};
+use crate::numeric::{bessel, largest, trigonometry};
 
 /// Wavenumbers of which columns are made at once: no number depends on it, but storage of many more has to be fetched from the system.
 pub(super) const AT_ONCE: usize = 96;
@@ -57,15 +57,20 @@ impl Columns<'_> {
     fn put_waves(&self, all: &mut Samples, number: usize, zeta: &[f64], workspace: &Arc<Workspace>) {
         let interval = &self.intervals[number];
         let ContactInterval { middle, half, .. } = *interval;
-        let (nodes, count, first) = (zeta.len(), self.counts[number], self.first(number));
-        let (orders, twin) = ((interval.order(count - 1) + 1).max(4), interval.twin);
+        let (nodes, count, first, twin) = (zeta.len(), self.counts[number], self.first(number), interval.twin);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
+        // long waves have no part of short terms
+        let enough = bessel::orders_up_to(largest(arguments.iter().copied()));
+        let filled = (0..count).take_while(|m| interval.order(*m) < enough).count();
+        all.clear(first + filled..first + count);
+        // all of them: no number depends on where a block of wavenumbers ends
+        let orders = (interval.order(count - 1) + 1).max(4);
         let wanted = interval.wanted();
         let mut table = Samples::new(nodes, wanted.below(orders), workspace);
         bessel::scaled_orders(orders, wanted, &arguments, 1.0, nodes, &mut table.values);
         let [sines, cosines, minus_one] =
             trigonometry::waves(&zeta.iter().map(|zeta| zeta * middle).collect::<Vec<_>>());
-        self.put_terms(all, number, &table, [&sines, &cosines]);
+        self.put_terms(all, (number, filled), &table, [&sines, &cosines]);
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
         let [j1, j3] = [1, 3].map(|order| table.column(interval.among_wanted(order)));
@@ -115,10 +120,16 @@ impl Columns<'_> {
         }
     }
 
-    /// The terms of one interval, from a table of Bessel functions and the sines and cosines of ζ middle.
-    fn put_terms(&self, all: &mut Samples, number: usize, table: &Samples, [sines, cosines]: [&Vec<f64>; 2]) {
+    /// The first terms of one interval, from a table of Bessel functions and the sines and cosines of ζ middle.
+    fn put_terms(
+        &self,
+        all: &mut Samples,
+        (number, count): (usize, usize),
+        table: &Samples,
+        [sines, cosines]: [&Vec<f64>; 2],
+    ) {
         let interval = &self.intervals[number];
-        for m in 0..self.counts[number] {
+        for m in 0..count {
             let order = interval.order(m);
             let values = table.column(interval.among_wanted(order));
             let factor = interval.transform(m);
@@ -194,7 +205,11 @@ pub(super) fn differences(
     let columns = one.count();
     let [of_one, of_other] = [one, other].map(|columns| columns.rows() / parts);
     let mut all = Samples::new(parts * count, 2 * columns, workspace);
-    for column in 0..columns {
+    for first in [0, columns] {
+        one.both_zero(other).for_each(|zero| all.clear(first + zero.start..first + zero.end));
+    }
+    let filled: Vec<usize> = all.filled().flatten().take_while(|column| *column < columns).collect();
+    for column in filled {
         let [one, other] = [one, other].map(|columns| columns.column(column));
         for part in 0..parts {
             let [one, other] = [&one[part * of_one..], &other[part * of_other..]].map(|values| &values[..count]);
@@ -217,8 +232,8 @@ impl Weighted {
     pub(super) fn new(columns: &Samples, weights: &[f64], parts: usize, workspace: &Arc<Workspace>) -> Self {
         let own = columns.rows() / parts;
         let count = weights.len().min(own);
-        let mut values = Samples::new(parts * count, columns.count(), workspace);
-        for column in 0..columns.count() {
+        let mut values = Samples::new(parts * count, columns.count(), workspace).clear_like(columns);
+        for column in columns.filled().flatten() {
             for (part, into) in values.column_mut(column).chunks_mut(count.max(1)).enumerate() {
                 let values = columns.column(column)[part * own..].iter().zip(weights);
                 into.iter_mut().zip(values).for_each(|(into, (value, weight))| *into = value * weight);
@@ -237,8 +252,14 @@ impl Weighted {
     /// Adds leftᵀ · weights · columns.
     pub(super) fn add_tested(&self, left: &Samples, product: &mut Mat<f64>) {
         for [rows, own] in self.rows(left) {
-            let (left, right) = (left.all().matrix(rows).transpose(), self.values.all().matrix(own));
-            matmul(product.as_mut(), Accum::Add, left, right, 1.0, Par::Seq);
+            for tests in left.filled() {
+                let left = left.part(tests.clone()).matrix(rows.clone()).transpose();
+                for columns in self.values.filled() {
+                    let right = self.values.part(columns.clone()).matrix(own.clone());
+                    let into = product.get_mut(tests.clone(), columns);
+                    matmul(into, Accum::Add, left, right, 1.0, Par::Seq);
+                }
+            }
         }
     }
 
@@ -246,8 +267,15 @@ impl Weighted {
     pub(super) fn add_symmetric(&self, columns: &Samples, product: &mut Mat<f64>) {
         let (lower, all) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
         for [rows, own] in self.rows(columns) {
-            let (left, right) = (columns.all().matrix(rows).transpose(), self.values.all().matrix(own));
-            triangular::matmul(product.as_mut(), lower, Accum::Add, left, all, right, all, 1.0, Par::Seq);
+            for tests in columns.filled() {
+                let left = columns.part(tests.clone()).matrix(rows.clone()).transpose();
+                for pressing in columns.filled().take_while(|pressing| pressing.start <= tests.start) {
+                    let right = self.values.part(pressing.clone()).matrix(own.clone());
+                    let half = if pressing == tests { lower } else { all };
+                    let into = product.get_mut(tests.clone(), pressing);
+                    triangular::matmul(into, half, Accum::Add, left, all, right, all, 1.0, Par::Seq);
+                }
+            }
         }
     }
 
