@@ -212,3 +212,30 @@ fn all_that_commands_do_with_wedges_goes_through() {
     let gap = profile.contacts[0].gap.as_ref().unwrap();
     assert!(gap[1] == 0.0 && gap[3] == 0.0 && gap[0] > 0.0 && gap[2] > 0.0 && gap[4] > 0.0, "{gap:?}");
 }
+
+/// A strip on soft springs touches about the tip of a wedge, and again farther out: in all intervals its face is as deep as the wedge.
+#[test]
+fn strips_on_springs_bend_round_wedges() {
+    let stack = "[Homogeneous(thickness: 6.84, shear_modulus: 24, poisson: 0.3), Spring(normal: 4.8e-4),
+        Homogeneous(thickness: 1.04, shear_modulus: 0.122, poisson: 0.07), Bonded, Rigid]";
+    for (top, at, [right, left]) in [
+        ("punch: Wedge(slope: 0.0048), force: 3.77", 0.0, [0.0048; 2]),
+        ("punches: [(shape: Wedge(slope: 0.0048, left: 0.0047), at: 3, force: 3.77)]", 3.0, [0.0048, 0.0047]),
+    ] {
+        let scene = Scene::from_ron(&format!("(geometry: PlaneStress, {top}, stack: {stack})")).unwrap();
+        let model = Model::new(scene.stack().unwrap()).unwrap();
+        let solution = model.press_with(&scene.top, scene.force, &Default::default()).unwrap();
+        let field = model.field(&solution).unwrap();
+        let intervals = solution.contacts()[0].intervals();
+        assert_eq!(intervals.len(), 3, "{intervals:?}");
+        let depth = |x: f64| field.at(x, 0.0).unwrap().v - if x > at { right * (x - at) } else { left * (at - x) };
+        let under_tip = depth(at + 1e-3);
+        for interval in intervals {
+            for part in [0.1, 0.4, 0.9] {
+                let x = interval.left + part * (interval.right - interval.left);
+                let off = depth(x) / under_tip - 1.0;
+                assert!(off.abs() < 1e-9, "{x} in {interval:?}: {off:e}");
+            }
+        }
+    }
+}

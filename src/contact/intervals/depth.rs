@@ -45,11 +45,6 @@ impl Equations<'_> {
         Sunk { by_columns, by_angles: self.turned(punch, &depth.windows), height }
     }
 
-    /// What sharp tips make on each interval of a contact.
-    fn tips(&self, contact: usize) -> Vec<Tip> {
-        self.columns[contact].intervals.iter().map(|interval| self.tip(contact, interval)).collect()
-    }
-
     /// What tells the depth of a punch, from the windows of an earlier list if bodies touch in these here as well.
     fn depth(&self, punch: usize) -> Rc<Depth> {
         let (mut windows, mut known) = (self.windows(punch), self.layout.depths.borrow_mut());

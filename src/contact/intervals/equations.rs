@@ -318,6 +318,11 @@ impl<'a> Equations<'a> {
         tip.map(of).filter(|tip| tip.at.abs() < 1.0).unwrap_or_default()
     }
 
+    /// What sharp tips make on each interval of a contact.
+    pub(super) fn tips(&self, contact: usize) -> Vec<Tip> {
+        self.columns[contact].intervals.iter().map(|interval| self.tip(contact, interval)).collect()
+    }
+
     pub(super) fn zeta(&self, contact: usize, nodes: Range<usize>) -> &[f64] {
         let reach = self.layout.own[contact].reach;
         &self.layout.zeta[nodes.start.min(reach)..nodes.end.min(reach)]
@@ -374,7 +379,11 @@ impl<'a> Equations<'a> {
 
     /// What the tests of a contact see of the slope of the punch.
     pub(super) fn load(&self, contact: usize) -> &[f64] {
-        self.slopes[contact].get_or_init(|| self.columns[contact].load(&self.problem.sides[contact]))
+        self.slopes[contact].get_or_init(|| {
+            let (columns, own) = (&self.columns[contact], &self.layout.own[contact]);
+            let exponentials = own.exponentials_over_limit();
+            columns.load(&self.problem.sides[contact], &self.tips(contact), own.limit, &exponentials)
+        })
     }
 
     /// The real part of exp(iζx) alone, or the imaginary one as well.
@@ -395,9 +404,13 @@ impl<'a> Equations<'a> {
 
     /// The amplitudes of all columns of a contact, of the pressures of all intervals.
     pub(super) fn amplitudes(&self, contact: usize, pressures: &[Pressure]) -> Vec<f64> {
+        self.columns[contact].amplitudes(self.pressures_of(contact, pressures))
+    }
+
+    /// The pressures of the intervals of a contact, of the pressures of all intervals.
+    pub(super) fn pressures_of<'b>(&self, contact: usize, pressures: &'b [Pressure]) -> &'b [Pressure] {
         let first: usize = self.columns[..contact].iter().map(|columns| columns.intervals.len()).sum();
-        let columns = &self.columns[contact];
-        columns.amplitudes(&pressures[first..first + columns.intervals.len()])
+        &pressures[first..first + self.columns[contact].intervals.len()]
     }
 
     /// The amplitudes of all columns of all contacts, so that the first ones tell resultants and moments; 1 of a given pressure.

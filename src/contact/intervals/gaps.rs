@@ -225,13 +225,13 @@ impl<'a> Gaps<'a> {
     fn beside(&self, contact: usize, (punch, [from, to]): &(usize, [f64; 2])) -> Vec<(f64, f64)> {
         let (Equations { problem, layout, columns, .. }, level) = (&self.equations, self.level);
         let (limit, side) = (layout.own[contact].limit, &problem.sides[contact]);
-        let amplitudes = self.equations.amplitudes(contact, &level.solved.pressures);
+        let pressures = self.equations.pressures_of(contact, &level.solved.pressures);
         let rotation = level.solved.rotations[contact].get(*punch).unwrap_or(&0.0);
         let height = |x: f64| side.height_under(*punch, x);
         let mut waves = Waves::new(&self.waves[contact], &layout.zeta, *from, (to - from) / (PLACES * PLACES) as f64);
         let is_round = problem.twin() == Twin::Round;
         // what pressures do on a half-plane is nothing to the transform of a gap about an axis
-        let closed = |x: f64| if is_round { 0.0 } else { limit * columns[contact].closed(x, &amplitudes) };
+        let closed = |x: f64| if is_round { 0.0 } else { limit * columns[contact].closed(x, pressures) };
         let (at_end, unit) = (closed(*from), if is_round { PI } else { 1.0 });
         let at = |k: usize| {
             let t = k as f64 / PLACES as f64;

@@ -1,6 +1,8 @@
 //! The pressure of one interval, and what it says of its ends; of an opening the slope of the gap, and the gap in place of the pressure where its size and its sign matter.
 use std::f64::consts::PI;
 
+use num_complex::Complex64;
+
 use crate::contact::intervals::support::ContactInterval;
 use crate::contact::problem::accuracy::{COARSE, MINOR};
 use crate::contact::problem::modes::alternating;
@@ -41,6 +43,22 @@ impl Tip {
             (strength, Twin::Plane) => strength * order as f64 * tip_coefficient(self.at, order),
             (strength, Twin::Round) => alternating(m) * order as f64 * Twin::Round.tip_mode(m, strength),
         }
+    }
+
+    /// What all its terms do to the slope of a half-plane beside the interval, Σ y_j zʲ/j, where Joukowski's map of the place is (z + 1/z)/2, |z| < 1: y_j/j = 2 y sin jα/j with
+    /// cos α = t makes 2 y arctan(z sin α/(1 − z cos α)).
+    pub(super) fn slope(self, z: Complex64) -> Complex64 {
+        2.0 * self.strength * (z * self.sine() / (1.0 - z * self.at)).atan()
+    }
+
+    /// By how much they close a gap at s = (z + 1/z)/2, but for a constant: the integral of this slope over s.
+    pub(super) fn closed(self, s: f64, z: f64) -> f64 {
+        let sine = self.sine();
+        self.strength * (2.0 * (s - self.at) * (z * sine / (1.0 - z * self.at)).atan() - sine * (z.abs().ln() + 1.0))
+    }
+
+    fn sine(self) -> f64 {
+        ((1.0 - self.at) * (1.0 + self.at)).sqrt()
     }
 }
 

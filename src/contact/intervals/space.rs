@@ -5,6 +5,7 @@ use faer::Mat;
 use num_complex::Complex64;
 
 use crate::contact::intervals::columns::{Columns, Other, Subtracted};
+use crate::contact::intervals::pressure::{Pressure, Tip};
 use crate::contact::intervals::support::{ContactInterval, Parity};
 use crate::contact::problem::Side;
 use crate::contact::problem::modes::alternating;
@@ -37,13 +38,20 @@ impl InSpace<'_> {
 impl Columns<'_> {
     /// What the columns as they are do on a half-plane with λμ₀C = 1 besides sums of c exp(−ζb), the latter but for each interval to its own tests.
     pub(super) fn in_space<'a>(&self, exponentials: &[[f64; 2]], amplitudes: Option<&'a [f64]>) -> InSpace<'a> {
-        let (terms, ends, others) = (self.terms(), self.ends(), &self.others);
-        let columns = if amplitudes.is_some() { 1 } else { terms + ends };
-        let mut space = InSpace { matrix: Mat::zeros(self.rows(), columns), amplitudes };
+        let columns = if amplitudes.is_some() { 1 } else { self.terms() + self.ends() };
+        let slopes = |places: &[f64], within: Option<usize>| self.slopes_at(places, within, exponentials, amplitudes);
+        let mut space = InSpace { matrix: self.tested(columns, slopes), amplitudes };
+        (0..self.intervals.len()).for_each(|number| self.add_on_half_plane(&mut space, number));
+        space
+    }
+
+    /// What slopes do to tests: of each of some columns at some places, but for the ones that pressures on one interval make right there.
+    fn tested(&self, columns: usize, slopes: impl Fn(&[f64], Option<usize>) -> Mat<f64>) -> Mat<f64> {
+        let mut all = Mat::zeros(self.rows(), columns);
         for number in 0..self.intervals.len() {
-            self.add_of_interval(&mut space, exponentials, number);
+            self.test_on_interval(&mut all, number, &slopes);
         }
-        for (row, other) in (terms + ends..).zip(others) {
+        for (row, other) in (self.terms() + self.ends()..).zip(&self.others) {
             let Other::Closing(number) = *other else { continue };
             let [from, to] = self.gap(number);
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
@@ -51,28 +59,39 @@ impl Columns<'_> {
             let nodes: Vec<(f64, f64)> = rule(POINTS + self.counts.iter().max().unwrap_or(&0)).on(0.0, PI).collect();
             let places: Vec<f64> = nodes.iter().map(|(theta, _)| middle + half * theta.cos()).collect();
             let tests = Mat::from_fn(1, nodes.len(), |_, q| factor * nodes[q].1 * nodes[q].0.sin());
-            let tested = &tests * self.slopes_at(&places, None, exponentials, amplitudes);
-            (0..columns).for_each(|column| space.matrix[(row, column)] = tested[(0, column)]);
+            let tested = &tests * slopes(&places, None);
+            (0..columns).for_each(|column| all[(row, column)] = tested[(0, column)]);
         }
-        space
+        all
     }
 
-    /// What tests see of the slope of the punch, if one presses: less what only the first ones of a group keep.
-    pub(super) fn load(&self, side: &Side) -> Vec<f64> {
+    /// What tests see of the slope of the punch, if one presses, less what only the first ones of a group keep; and, on half-planes with this limit of the kernel besides exponentials,
+    /// less what the terms of sharp tips do to other intervals and to gaps that are no unknowns, and do not fall.
+    pub(super) fn load(&self, side: &Side, tips: &[Tip], limit: f64, exponentials: &[[f64; 2]]) -> Vec<f64> {
         let mut load = vec![0.0; self.rows()];
+        if self.intervals.len() > 1 && tips.iter().any(|tip| tip.strength != 0.0) {
+            let slope = |x: f64, within: Option<usize>| -> f64 {
+                let beside = tips.iter().enumerate().filter(|(number, _)| within != Some(*number));
+                beside.map(|(number, tip)| self.slope_beyond(number, *tip, exponentials, x)).sum()
+            };
+            let tested = self.tested(1, |places, within| {
+                Mat::from_fn(places.len(), 1, |place, _| -limit * slope(places[place], within))
+            });
+            load.copy_from_slice(tested.col_as_slice(0));
+        }
         for (number, interval) in self.intervals.iter().enumerate() {
             let (row, count) = (self.first(number), self.counts[number]);
             let mut tests = self::tests(side, interval, count).into_iter();
             if let Some(mean) = self.place(Other::Mean(number)) {
-                load[mean] = interval.test(0) * tests.next().unwrap_or(0.0);
+                load[mean] += interval.test(0) * tests.next().unwrap_or(0.0);
             }
             for (m, test) in tests.enumerate().take(count) {
-                load[row + m] = interval.test(m) * test;
+                load[row + m] += interval.test(m) * test;
             }
             if let Some(row) = self.place(Other::Closing(number)) {
                 let [from, to] = self.gap(number);
                 let height = |x: f64| side.height_under(interval.punch, x);
-                load[row] = 8.0 / (PI * (to - from).powi(2)) * (height(to) - height(from));
+                load[row] += 8.0 / (PI * (to - from).powi(2)) * (height(to) - height(from));
             }
         }
         for Subtracted { into, from, part } in self.subtracted_tests() {
@@ -81,30 +100,48 @@ impl Columns<'_> {
         load
     }
 
-    /// The same of the tests on one interval.
-    fn add_of_interval(&self, space: &mut InSpace, exponentials: &[[f64; 2]], number: usize) {
+    /// The slope at x, over the limit of the kernel, that the terms of a sharp tip make which are no unknowns of its interval.
+    fn slope_beyond(&self, number: usize, tip: Tip, exponentials: &[[f64; 2]], x: f64) -> f64 {
+        let (interval, count) = (&self.intervals[number], self.counts[number]);
+        let at_depth = |[b, c]: &[f64; 2]| {
+            let inside = inside(Complex64::new(x - interval.middle, *b) / interval.half);
+            let terms = (0..count).map(|m| (tip.term(interval, m) / interval.order(m) as f64, interval.order(m)));
+            let known: Complex64 = terms.map(|(part, order)| part * inside.powu(order as u32)).sum();
+            c * interval.unit() * (tip.slope(inside) - known).re
+        };
+        std::iter::once(&[0.0, 1.0]).chain(exponentials).map(at_depth).sum()
+    }
+
+    /// Tests, on one interval, the slopes that others make there.
+    fn test_on_interval(&self, into: &mut Mat<f64>, number: usize, slopes: impl Fn(&[f64], Option<usize>) -> Mat<f64>) {
         let (interval, row, count) = (&self.intervals[number], self.first(number), self.counts[number]);
-        let mean = self.place(Other::Mean(number));
-        if self.intervals.len() > 1 || interval.parity == Parity::Pair {
-            // the test with k = 0 last
-            let all: Vec<(usize, usize)> =
-                (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
-            let points = self.points(number);
-            // cos nπ/2 points
-            let cosines: Vec<f64> = (0..4 * points).map(|n| (FRAC_PI_2 * n as f64 / points as f64).cos()).collect();
-            let at = |q: usize, k: usize| cosines[k * (2 * q + 1) % cosines.len()];
-            let places: Vec<f64> = (0..points).map(|q| interval.middle + interval.half * at(q, 1)).collect();
-            let factor = 2.0 / (interval.half * points as f64);
-            let tests = Mat::from_fn(all.len(), points, |m, q| factor * at(q, all[m].1));
-            let tested = &tests * self.slopes_at(&places, Some(number), exponentials, space.amplitudes);
-            for (m, (row, _)) in all.iter().enumerate() {
-                (0..tested.ncols()).for_each(|column| space.matrix[(*row, column)] = tested[(m, column)]);
-            }
+        if self.intervals.len() == 1 && interval.parity != Parity::Pair {
+            return;
         }
+        // the test with k = 0 last
+        let mean = self.place(Other::Mean(number));
+        let all: Vec<(usize, usize)> =
+            (0..count).map(|m| (row + m, interval.order(m))).chain(mean.map(|row| (row, 0))).collect();
+        let points = self.points(number);
+        // cos nπ/2 points
+        let cosines: Vec<f64> = (0..4 * points).map(|n| (FRAC_PI_2 * n as f64 / points as f64).cos()).collect();
+        let at = |q: usize, k: usize| cosines[k * (2 * q + 1) % cosines.len()];
+        let places: Vec<f64> = (0..points).map(|q| interval.middle + interval.half * at(q, 1)).collect();
+        let factor = 2.0 / (interval.half * points as f64);
+        let tests = Mat::from_fn(all.len(), points, |m, q| factor * at(q, all[m].1));
+        let tested = &tests * slopes(&places, Some(number));
+        for (m, (row, _)) in all.iter().enumerate() {
+            (0..tested.ncols()).for_each(|column| into[(*row, column)] = tested[(m, column)]);
+        }
+    }
+
+    /// Adds what half-planes do to the tests of an interval by its own pressures.
+    fn add_on_half_plane(&self, space: &mut InSpace, number: usize) {
+        let (interval, row, count) = (&self.intervals[number], self.first(number), self.counts[number]);
         for m in 0..count {
             space.add(row + m, row + m, interval.on_half_plane(m));
         }
-        if let Some(mean) = mean {
+        if let Some(mean) = self.place(Other::Mean(number)) {
             let (end, images) = (self.terms() + self.end(number), if interval.is_even() { 2.0 } else { 1.0 });
             for (place, side) in interval.sides().iter().enumerate() {
                 space.add(mean, end + place, -side * images * interval.unit() / interval.half);
@@ -210,17 +247,13 @@ impl Columns<'_> {
 
     /// By how much less pressures on a half-plane with λμ₀C = 1 open a gap at x outside the contact than farther inwards: the integral of the slope, but for a
     /// constant, with ds = ½ (1 − z⁻²) dz for s = ½ (z + 1/z).
-    pub(super) fn closed(&self, x: f64, amplitudes: &[f64]) -> f64 {
-        let (terms, ends) = amplitudes.split_at(self.terms());
-        let (mut terms, mut ends) = (terms.iter(), ends.iter());
-        let of = |(interval, count): (&ContactInterval, &usize)| {
-            let (terms, ends): (Vec<&f64>, Vec<&f64>) =
-                (terms.by_ref().take(*count).collect(), ends.by_ref().take(interval.sides().len()).collect());
-            let at = |x: f64| interval.closed_by(x, &terms, &ends);
+    pub(super) fn closed(&self, x: f64, pressures: &[Pressure]) -> f64 {
+        let of = |(interval, pressure): (&ContactInterval, &Pressure)| {
+            let at = |x: f64| interval.closed_by(x, pressure);
             // what the mirror image of an interval does at x, the interval does at −x
             if interval.parity == Parity::Pair { at(x) + at(-x) } else { at(x) }
         };
-        self.intervals.iter().zip(self.counts).map(of).sum()
+        self.intervals.iter().zip(pressures).map(of).sum()
     }
 }
 
@@ -230,9 +263,7 @@ impl ContactInterval {
     fn slopes_of(&self, count: usize, (x, depth): (&Lanes, f64), factor: f64, mut each: impl FnMut(usize, &Lanes)) {
         let unit = factor * self.unit();
         let s = x.map(|x| Complex64::new(x - self.middle, depth) / self.half);
-        let roots = s.map(root);
-        // s less √(s² − 1)
-        let inside: [Complex64; LANES] = std::array::from_fn(|lane| (s[lane] + roots[lane]).inv());
+        let (roots, inside) = (s.map(root), s.map(inside));
         let square = || inside.map(|inside| inside * inside);
         let (from, by) = match self.has_orders() {
             [true, true] => (inside, inside),
@@ -269,27 +300,33 @@ impl ContactInterval {
         }
     }
 
-    /// By how much its terms and singular pressures close a gap at x.
-    fn closed_by(&self, x: f64, terms: &[&f64], ends: &[&f64]) -> f64 {
+    /// By how much its pressure closes a gap at x.
+    fn closed_by(&self, x: f64, Pressure { terms, singular, tip }: &Pressure) -> f64 {
         let s = (x - self.middle) / self.half;
         // s less √(s² − 1)
         let inside = (s.abs() + ((s - 1.0) * (s + 1.0)).max(0.0).sqrt()).recip().copysign(s);
         let logarithm = -inside.abs().ln();
         let mut power = 1.0;
-        let mut sum = 0.0;
+        let mut sum = tip.closed(s, inside);
         for (m, y) in terms.iter().enumerate() {
             let j = self.order(m) as f64;
             let near = if m > 0 { -power / (j - 1.0) } else { logarithm };
             let next = power * inside * inside;
-            sum += 0.5 * **y / j * (near + next / (j + 1.0));
+            sum += 0.5 * y / j * (near + next / (j + 1.0));
             power = if self.is_even() { next } else { power * inside };
         }
-        for (side, q) in self.sides().iter().zip(ends) {
+        for (side, q) in self.sides().iter().zip(singular) {
             let at_end = if self.is_even() { logarithm } else { 0.5 * (logarithm - side * inside) };
-            sum += **q * at_end;
+            sum += q * at_end;
         }
         self.unit() * self.half * sum
     }
+}
+
+/// s less √(s² − 1).
+#[inline(always)]
+fn inside(s: Complex64) -> Complex64 {
+    (s + root(s)).inv()
 }
 
 /// √(s² − 1) on the side of s, not quite 0 at s = ±1.

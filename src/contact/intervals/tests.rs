@@ -2,13 +2,14 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use num_complex::Complex64;
 use recede_layers::{Exponential, HalfPlane, Homogeneous, Plane};
 
 use super::columns::Columns;
 use super::equations::{Equations, Solved};
 use super::kept::Kept;
 use super::newton::converge;
-use super::pressure::Pressure;
+use super::pressure::{Pressure, Tip};
 use super::support::{ContactInterval, Intervals, Parity};
 use super::{Refused, of_formulas, refine, solve};
 use crate::contact::integrals::layout::{Layout, Lengths};
@@ -280,6 +281,31 @@ fn long_waves_are_felt_through_resultants_and_moments() {
                 one == 0.0 || (ratio - 1.0).abs() < 1e-6 || one.abs() < 1e-3 * zeta[0].powi(power),
                 "{column}: {ratio}"
             );
+        }
+    }
+}
+
+/// Beside an interval the terms of a sharp tip have closed forms, all together.
+#[test]
+fn terms_of_a_tip_are_summed_beside_its_interval() {
+    let interval = ContactInterval::anywhere(0, 0, [-0.3, 0.9]);
+    for at in [-0.9, 0.0, 0.3] {
+        let tip = Tip { strength: 0.7, at };
+        let terms: Vec<f64> = (0..1000).map(|m| tip.term(&interval, m)).collect();
+        let [whole, series] = [(vec![], tip), (terms.clone(), Tip::default())].map(|(terms, tip)| Pressure {
+            terms,
+            tip,
+            ..Pressure::default()
+        });
+        let columns = Columns::new(std::slice::from_ref(&interval), &[1000], true);
+        for x in [-3.0, -0.31, 0.92, 7.0] {
+            let s = (x - interval.middle) / interval.half;
+            let z = Complex64::from((s.abs() + (s * s - 1.0).sqrt()).recip().copysign(s));
+            let parts = terms.iter().enumerate().map(|(m, y)| y / interval.order(m) as f64 * z.powu(m as u32 + 1));
+            let (found, expected) = (tip.slope(z), parts.sum::<Complex64>());
+            assert!((found - expected).norm() < 1e-14, "{at} {x}: {found} {expected}");
+            let [found, expected] = [&whole, &series].map(|own| columns.closed(x, std::slice::from_ref(own)));
+            assert!((found - expected).abs() < 1e-14 * expected.abs().max(1.0), "{at} {x}: {found} {expected}");
         }
     }
 }
