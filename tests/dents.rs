@@ -1,7 +1,7 @@
 //! Dents: gaps between layers that weights, or forces, press flat but for openings.
 //!
 //! Goal: numbers of another program; fields carry what the solution says; without weight a dent is any other gap; what cannot be is refused.
-use recede::{Force, Model, Pressed, Scene, Solution};
+use recede::{Force, Model, Options, Pressed, Scene, Solution};
 
 fn solved(text: &str) -> Result<(Model, Solution), recede::Error> {
     let scene = Scene::from_ron(text)?;
@@ -103,6 +103,26 @@ fn without_weight_a_dent_is_a_gap() {
     assert!((dent / reach(&table) - 1.0).abs() < 1e-5, "{dent} {}", reach(&table));
     // the layer lies on the shoulders of the dent
     assert!(dent > reach("") && (reach("(gap: Dent(depth: 1e-9, half_width: 1.0))") / reach("") - 1.0).abs() < 1e-8);
+}
+
+/// Next to graded faces the kernel of two intervals is taken for a sum of exponentials, which has as many digits as double precision: the strictest tolerance asks for no more.
+#[test]
+fn layers_touch_beside_a_dent_of_a_graded_face_to_the_strictest_tolerance() {
+    let scene = Scene::from_ron(
+        "(geometry: PlaneStress, load: Uniform(half_width: 5.5e-5), force: 3e-7, stack: [
+            Exponential(thickness: 0.0326, shear_modulus: 26.2, poisson: -0.48, beta: 228),
+            Receding(gap: Dent(depth: 0.0315, half_width: 0.105)),
+            Exponential(thickness: 0.0316, shear_modulus: 33.6, poisson: 0.33, beta: -235), Bonded, Rigid])",
+    )
+    .unwrap();
+    let model = Model::new(scene.stack().unwrap()).unwrap();
+    let [usual, strictest] = [1e-10, 1e-13].map(|tolerance| {
+        let solution = model.press_with(&scene.top, scene.force, &Options { tolerance }).unwrap();
+        let intervals = solution.contacts()[1].intervals();
+        assert!(intervals.len() == 2 && intervals.iter().all(|own| own.right_error < 1e-10), "{intervals:?}");
+        intervals[1].right
+    });
+    assert!((usual - strictest).abs() < 1e-10, "{usual} {strictest}");
 }
 
 #[test]

@@ -109,9 +109,9 @@ impl Asymptote {
     }
 
     /// The wavenumber beyond which nothing of the remainder is left but these exponentials: less than `little` of the limit, weighted as for a contact of
-    /// this half-length.
+    /// this half-length, and no less than the remainder is fitted to.
     pub(crate) fn exponentials_suffice(&self, half_length: f64, little: f64) -> f64 {
-        let exponentials = self.exponentials();
+        let (exponentials, little) = (self.exponentials(), little.max(RESOLVED));
         let is_left = |zeta: f64| {
             let left = self.remainder(zeta) - sum_of(&exponentials, zeta);
             left.abs() > little * self.limit * short_wave_allowance(half_length, zeta)
