@@ -28,10 +28,11 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// True error over estimate, where an error below rounding counts as none.
+    /// True error over estimate, where an error below rounding, or below the error of the stricter answer, counts as none.
     pub fn excess(&self) -> f64 {
         // a given number has no error
-        if self.error <= ROUNDING { 0.0 } else { (self.error - ROUNDING) / self.estimate }
+        let unseen = ROUNDING + self.blur;
+        if self.error <= unseen { 0.0 } else { (self.error - unseen) / self.estimate }
     }
 
     /// Estimate over true error, where a smaller error than rounding counts as rounding.
