@@ -59,10 +59,6 @@ impl Columns<'_> {
         let ContactInterval { middle, half, .. } = *interval;
         let (nodes, count, first, twin) = (zeta.len(), self.counts[number], self.first(number), interval.twin);
         let arguments: Vec<f64> = zeta.iter().map(|zeta| zeta * half).collect();
-        // long waves have no part of short terms
-        let enough = bessel::orders_up_to(largest(arguments.iter().copied()));
-        let filled = (0..count).take_while(|m| interval.order(*m) < enough).count();
-        all.clear(first + filled..first + count);
         // all of them: no number depends on where a block of wavenumbers ends
         let orders = (interval.order(count - 1) + 1).max(4);
         let wanted = interval.wanted();
@@ -70,7 +66,8 @@ impl Columns<'_> {
         bessel::scaled_orders(orders, wanted, &arguments, 1.0, nodes, &mut table.values);
         let [sines, cosines, minus_one] =
             trigonometry::waves(&zeta.iter().map(|zeta| zeta * middle).collect::<Vec<_>>());
-        self.put_terms(all, (number, filled), &table, [&sines, &cosines]);
+        let enough = bessel::orders_up_to(largest(arguments.iter().copied()));
+        self.put_terms(all, (number, enough), &table, [&sines, &cosines]);
         let end = self.terms() + self.end(number);
         let mean = self.place(Other::Mean(number));
         let [j1, j3] = [1, 3].map(|order| table.column(interval.among_wanted(order)));
@@ -120,20 +117,22 @@ impl Columns<'_> {
         }
     }
 
-    /// The first terms of one interval, from a table of Bessel functions and the sines and cosines of ζ middle.
+    /// The terms of one interval whose orders count, for long waves have no part of short terms, from a table of Bessel functions and the sines and cosines of ζ middle.
     fn put_terms(
         &self,
         all: &mut Samples,
-        (number, count): (usize, usize),
+        (number, enough): (usize, usize),
         table: &Samples,
         [sines, cosines]: [&Vec<f64>; 2],
     ) {
-        let interval = &self.intervals[number];
-        for m in 0..count {
+        let (interval, first, count) = (&self.intervals[number], self.first(number), self.counts[number]);
+        let filled = (0..count).take_while(|m| interval.order(*m) < enough).count();
+        all.clear(first + filled..first + count);
+        for m in 0..filled {
             let order = interval.order(m);
             let values = table.column(interval.among_wanted(order));
             let factor = interval.transform(m);
-            let column = all.column_mut(self.first(number) + m);
+            let column = all.column_mut(first + m);
             if interval.is_even() {
                 let factor = if interval.opens { -factor } else { factor };
                 column.iter_mut().zip(values).for_each(|(into, j)| *into = factor * j);
