@@ -70,12 +70,13 @@ impl Columns<'_> {
     pub(super) fn load(&self, side: &Side, tips: &[Tip], limit: f64, exponentials: &[[f64; 2]]) -> Vec<f64> {
         let mut load = vec![0.0; self.rows()];
         if self.intervals.len() > 1 && tips.iter().any(|tip| tip.strength != 0.0) {
-            let slope = |x: f64, within: Option<usize>| -> f64 {
-                let beside = tips.iter().enumerate().filter(|(number, _)| within != Some(*number));
-                beside.map(|(number, tip)| self.slope_beyond(number, *tip, exponentials, x)).sum()
-            };
             let tested = self.tested(1, |places, within| {
-                Mat::from_fn(places.len(), 1, |place, _| -limit * slope(places[place], within))
+                let mut slopes = Mat::zeros(places.len(), 1);
+                for (number, tip) in tips.iter().enumerate().filter(|(number, _)| within != Some(*number)) {
+                    let beyond = self.slopes_beyond(number, *tip, exponentials, places);
+                    slopes.col_as_slice_mut(0).iter_mut().zip(beyond).for_each(|(sum, slope)| *sum -= limit * slope);
+                }
+                slopes
             });
             load.copy_from_slice(tested.col_as_slice(0));
         }
@@ -100,16 +101,18 @@ impl Columns<'_> {
         load
     }
 
-    /// The slope at x, over the limit of the kernel, that the terms of a sharp tip make which are no unknowns of its interval.
-    fn slope_beyond(&self, number: usize, tip: Tip, exponentials: &[[f64; 2]], x: f64) -> f64 {
+    /// The slopes at some places, over the limit of the kernel, that the terms of a sharp tip make which are no unknowns of its interval.
+    fn slopes_beyond(&self, number: usize, tip: Tip, exponentials: &[[f64; 2]], places: &[f64]) -> Vec<f64> {
         let (interval, count) = (&self.intervals[number], self.counts[number]);
-        let at_depth = |[b, c]: &[f64; 2]| {
+        let term = |m: usize| (tip.term(interval, m) / interval.order(m) as f64, interval.order(m) as u32);
+        let known: Vec<(f64, u32)> = (0..count).map(term).collect();
+        let at_depth = |x: f64, [b, c]: &[f64; 2]| {
             let inside = inside(Complex64::new(x - interval.middle, *b) / interval.half);
-            let terms = (0..count).map(|m| (tip.term(interval, m) / interval.order(m) as f64, interval.order(m)));
-            let known: Complex64 = terms.map(|(part, order)| part * inside.powu(order as u32)).sum();
-            c * interval.unit() * (tip.slope(inside) - known).re
+            let series: Complex64 = known.iter().map(|(part, order)| *part * inside.powu(*order)).sum();
+            c * interval.unit() * (tip.slope(inside) - series).re
         };
-        std::iter::once(&[0.0, 1.0]).chain(exponentials).map(at_depth).sum()
+        let slope = |x: &f64| std::iter::once(&[0.0, 1.0]).chain(exponentials).map(|depth| at_depth(*x, depth)).sum();
+        places.iter().map(slope).collect()
     }
 
     /// Tests, on one interval, the slopes that others make there.
