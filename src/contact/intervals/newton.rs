@@ -12,7 +12,7 @@ use crate::contact::intervals::pressure::{FARTHEST, Pressure};
 use crate::contact::intervals::steps::{Look, looks, moved};
 use crate::contact::intervals::support::{ContactInterval, Intervals};
 use crate::contact::problem::Problem;
-use crate::contact::problem::accuracy::{MINOR, ROUNDING, SAFETY, SLOW};
+use crate::contact::problem::accuracy::{BEST, MINOR, ROUNDING, SAFETY, SLOW};
 use crate::contact::problem::iteration::{Progress, Work};
 use crate::numeric::{largest, longest};
 
@@ -267,7 +267,9 @@ impl<'a> Newton<'a> {
                 let is_exact = MINOR * changed_by <= self.farthest.powi(2).max(self.enough);
                 let is_no_worse = self.left <= self.farthest.max(self.enough)
                     && self.left <= self.expected.min(SLOW * self.progress.last);
-                if is_no_worse && (is_exact || !leads_on) {
+                // to rounding the solution is the same with any factors
+                let is_solved = leads_on && changed_by <= BEST;
+                if is_solved || is_no_worse && (is_exact || !leads_on) {
                     self.is_exact = is_exact;
                     return Some((solved, looks));
                 }
